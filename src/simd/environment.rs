@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The floating-point environment: results do not depend on the caller's rounding mode, flush-to-zero
+//! flags or traps, and the caller finds its environment, sticky flags included, as it left it.
+
+/// A saved control and status word.
+#[derive(Clone, Copy)]
+pub(crate) struct Environment(u64);
+
+/// Restores what it saved when dropped, so a panic restores it too.
+struct Restore(Environment);
+
+impl Drop for Restore {
+    fn drop(&mut self) {
+        set(self.0);
+    }
+}
+
+/// Runs `work` in the default environment (round to nearest, denormals kept, traps masked) and
+/// restores the present one.
+pub(crate) fn with_default<R>(work: impl FnOnce() -> R) -> R {
+    with(DEFAULT, work)
+}
+
+/// Runs `work` in `environment` and restores the present one.
+pub(crate) fn with<R>(environment: Environment, work: impl FnOnce() -> R) -> R {
+    let _restore = Restore(current());
+    set(environment);
+    apart(work)
+}
+
+/// Not inlined: the compiler must not move arithmetic across the change of environment.
+#[inline(never)]
+fn apart<R>(work: impl FnOnce() -> R) -> R {
+    work()
+}
+
+#[cfg(target_arch = "x86_64")]
+const DEFAULT: Environment = Environment(0x1F80);
+
+/// The environment of this thread.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn current() -> Environment {
+    let mut word: u32 = 0;
+    // SAFETY: stmxcsr stores 32 bits to the place given.
+    unsafe { std::arch::asm!("stmxcsr [{}]", in(reg) &raw mut word, options(nostack)) };
+    Environment(u64::from(word))
+}
+
+#[cfg(target_arch = "x86_64")]
+fn set(environment: Environment) {
+    let word = environment.0 as u32;
+    // SAFETY: the word is the default one or one that stmxcsr stored, so no reserved bit is set.
+    unsafe { std::arch::asm!("ldmxcsr [{}]", in(reg) &raw const word, options(nostack)) };
+}
+
+#[cfg(target_arch = "aarch64")]
+const DEFAULT: Environment = Environment(0);
+
+/// The environment of this thread: FPCR below, FPSR above.
+#[cfg(target_arch = "aarch64")]
+pub(crate) fn current() -> Environment {
+    let (control, status): (u64, u64);
+    // SAFETY: reads two registers that every thread may read.
+    unsafe { std::arch::asm!("mrs {}, fpcr", "mrs {}, fpsr", out(reg) control, out(reg) status, options(nostack)) };
+    Environment(control & 0xFFFF_FFFF | status << 32)
+}
+
+#[cfg(target_arch = "aarch64")]
+fn set(environment: Environment) {
+    let (control, status) = (environment.0 & 0xFFFF_FFFF, environment.0 >> 32);
+    // SAFETY: the words are the default ones or were read from the same registers.
+    unsafe { std::arch::asm!("msr fpcr, {}", "msr fpsr, {}", in(reg) control, in(reg) status, options(nostack)) };
+}
