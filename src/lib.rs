@@ -21,3 +21,4 @@ mod primitive;
 mod simd;
 
 pub use error::{Error, Result, Status};
+pub use simd::isa;

@@ -1,1 +1,69 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
+//! A bounding volume hierarchy of degree 8 over anything with boxes; it does not know what a primitive
+//! means. Boxes are f32, rounded outward, relative to the middle of all of them; leaves are runs of up to
+//! eight primitives, for the caller to lay out side by side.
+
+mod build;
+mod nearest;
+mod overlap;
+
+pub(crate) use nearest::{LeafDistance, nearest};
+
+use crate::math::{Aabb, Vec3, f32_above, f32_below};
+use crate::simd::lanes::WIDTH;
+
+/// Most primitives of a leaf.
+pub(crate) const LEAF_SIZE: usize = 8;
+
+/// Set in a child reference that names a leaf.
+const LEAF: u32 = 1 << 31;
+
+/// Eight boxes side by side. An unused child has an empty box and is never reached.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(32))]
+struct Node {
+    lo: [[f32; WIDTH]; 3],
+    hi: [[f32; WIDTH]; 3],
+    child: [u32; WIDTH],
+}
+
+const EMPTY_NODE: Node =
+    Node { lo: [[f32::INFINITY; WIDTH]; 3], hi: [[f32::NEG_INFINITY; WIDTH]; 3], child: [u32::MAX; WIDTH] };
+
+/// The hierarchy: index-based arrays, no pointers.
+#[derive(Clone, Debug)]
+pub(crate) struct Tree {
+    /// Node 0 is the root; children come after their parent.
+    nodes: Vec<Node>,
+    /// Middle of all boxes; everything in `nodes` is relative to it.
+    center: Vec3,
+    /// Length of the diagonal of all boxes.
+    diagonal: f64,
+}
+
+/// Which primitives are in which leaf.
+pub(crate) struct Leaves {
+    /// Primitives, leaf after leaf.
+    pub(crate) order: Vec<u32>,
+    /// Leaf k holds `order[start[k]..start[k + 1]]`.
+    pub(crate) start: Vec<u32>,
+}
+
+impl Tree {
+    /// A box relative to the centre, rounded outward. Subtraction and rounding are monotone, so a point
+    /// inside the box stays inside when the same subtraction is applied to it.
+    fn relative(&self, b: Aabb) -> ([f32; 3], [f32; 3]) {
+        let (lo, hi) = (b.lo - self.center, b.hi - self.center);
+        (lo.to_array().map(f32_below), hi.to_array().map(f32_above))
+    }
+
+    /// Length of the diagonal of all boxes.
+    pub(crate) fn diagonal(&self) -> f64 {
+        self.diagonal
+    }
+
+    /// Memory of the arrays.
+    pub(crate) fn bytes(&self) -> usize {
+        self.nodes.len() * size_of::<Node>()
+    }
+}

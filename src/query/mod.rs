@@ -3,140 +3,59 @@
 //! held between calls.
 //!
 //! Batched questions hand their results over in pieces, `emit(start, results)`: in no given order, each
-//! once, possibly from several threads at once.
+//! result once, possibly from several threads at once. Points with a coordinate that is not finite are
+//! answered with NaN. Where a user's function fails (NaN at a finite point) a batch is
+//! [`Status::Callback`]; a function that is not thread-safe keeps the whole call on the calling thread.
 
+mod classify;
+mod closest;
+mod fill;
 mod inputs;
+mod intercept;
+mod values;
 
+pub use crate::geometry::Closest;
+pub use classify::{classify_box, classify_boxes};
+pub use closest::closest;
+pub use fill::{FillMode, fill};
 pub use inputs::{Lattice, PointSource, Strided};
+pub use intercept::{Crossing, CrossingForm, Intercept, crossings, intercepts};
+pub use values::values;
 
-use crate::error::Result;
+use crate::error::{Error, Result, Status};
 use crate::geometry::Geometry;
-use crate::math::{Aabb, Vec3};
+use crate::math::Vec3;
 use crate::parallel::Run;
 
-/// What a fill writes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum FillMode {
-    /// The value.
-    Exact,
-    /// The value where its magnitude is below the band, plus or minus the band elsewhere.
-    Band(f64),
-    /// -1, 0 or +1.
-    Sign,
+/// Items of a chunk of work.
+const CHUNK: usize = 256;
+
+/// `run`, without its pool where the geometry must be asked from one thread.
+fn suited<'a>(g: &Geometry, run: &Run<'a>) -> Run<'a> {
+    if g.is_thread_safe() { *run } else { run.on_this_thread() }
 }
 
-/// The answer to [`closest`].
-#[derive(Clone, Copy, Debug)]
-pub struct Closest {
-    pub value: f64,
-    pub point: Vec3,
-    pub gradient: Vec3,
-    pub barycentric: Vec3,
-    pub primitive: i64,
-    pub part: i32,
-    pub tag: i32,
-    pub feature: i32,
+/// An error where a user's function failed.
+fn check(g: &Geometry, value: f64, p: Vec3) -> Result<()> {
+    if value.is_nan() && g.has_functions() && p.is_finite() {
+        return Err(Error::new(
+            Status::Callback,
+            format!("geometry: a callback failed (NaN) at ({}, {}, {})", p.x, p.y, p.z),
+        ));
+    }
+    Ok(())
 }
 
-/// The answer to [`intercepts`].
-#[derive(Clone, Copy, Debug)]
-pub struct Intercept {
-    /// 0 at a, 1 at b; NaN where the ends are on one side.
-    pub t: f64,
-    pub count: i32,
-    /// 0 none, 1 ray, 2 several, 3 bisected.
-    pub status: i32,
-    pub normal: Vec3,
-    pub primitive: i64,
-    pub part: i32,
-    pub tag: i32,
+/// Chunks of up to `CHUNK` items: `work(first, count)`.
+fn in_chunks(run: &Run, count: usize, work: &(dyn Fn(usize, usize) -> Result<()> + Sync)) -> Result<()> {
+    run.for_each_chunk(count.div_ceil(CHUNK), &|k| work(k * CHUNK, CHUNK.min(count - k * CHUNK)))
 }
 
-/// How a crossing is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CrossingForm {
-    /// The coordinate along the axis.
-    Coordinate,
-    /// 0 at the lattice point, 1 at its neighbour.
-    Fraction,
-}
-
-/// The answer to [`crossings`].
-#[derive(Clone, Copy, Debug)]
-pub struct Crossing {
-    /// NaN where the ends are on one side.
-    pub at: f64,
-    pub count: i32,
-    pub tag: i32,
-    pub part: i32,
-}
-
-/// Values at points.
-pub fn values(
-    _g: &Geometry,
-    _points: &dyn PointSource,
-    _run: &Run,
-    _emit: &(dyn Fn(usize, &[f64]) + Sync),
-) -> Result<()> {
-    todo!()
-}
-
-pub fn closest(
-    _g: &Geometry,
-    _points: &dyn PointSource,
-    _max_distance: f64,
-    _run: &Run,
-    _emit: &(dyn Fn(usize, &[Closest]) + Sync),
-) -> Result<()> {
-    todo!()
-}
-
-/// `emit([i, j, k], values)`: values at (i, j, k), (i+1, j, k), ...
-pub fn fill(
-    _g: &Geometry,
-    _lattice: &Lattice,
-    _mode: FillMode,
-    _run: &Run,
-    _emit: &(dyn Fn([usize; 3], &[f64]) + Sync),
-) -> Result<()> {
-    todo!()
-}
-
-/// `emit([i, j, k], crossings)`: of the edges that begin at (i, j, k), (i+1, j, k), ...
-pub fn crossings(
-    _g: &Geometry,
-    _lattice: &Lattice,
-    _axis: usize,
-    _form: CrossingForm,
-    _run: &Run,
-    _emit: &(dyn Fn([usize; 3], &[Crossing]) + Sync),
-) -> Result<()> {
-    todo!()
-}
-
-/// Crossings of the segments a[3i..3i+3] to b[3i..3i+3].
-pub fn intercepts(
-    _g: &Geometry,
-    _a: &[f64],
-    _b: &[f64],
-    _run: &Run,
-    _emit: &(dyn Fn(usize, &[Intercept]) + Sync),
-) -> Result<()> {
-    todo!()
-}
-
-/// -1: value < 0 at every double of the closed box; +1: value > 0; 0: mixed, or not known, or the box is not valid.
-pub fn classify_box(_g: &Geometry, _b: Aabb) -> i32 {
-    todo!()
-}
-
-/// [`classify_box`] of the boxes lo[3i..3i+3], hi[3i..3i+3]; NaN or lo > hi is an error naming the box.
-pub fn classify_boxes(
-    _g: &Geometry,
-    _lo: &[f64],
-    _hi: &[f64],
-    _run: &Run,
-    _emit: &(dyn Fn(usize, &[i32]) + Sync),
-) -> Result<()> {
-    todo!()
+/// The same over the points of a source.
+fn at_points(run: &Run, points: &dyn PointSource, work: &(dyn Fn(usize, &[Vec3]) -> Result<()> + Sync)) -> Result<()> {
+    in_chunks(run, points.count(), &|first, count| {
+        let mut p = [Vec3::ZERO; CHUNK];
+        points.load(first, &mut p[..count]);
+        work(first, &p[..count])
+    })
 }

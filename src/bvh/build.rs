@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Binned surface area heuristic (Wald 2007), binary splits gathered eight to a node. Serial and
+//! deterministic.
+
+use super::{EMPTY_NODE, LEAF, LEAF_SIZE, Leaves, Node, Tree};
+use crate::error::{Error, Result, try_with_capacity};
+use crate::math::{Aabb, Vec3};
+use crate::simd::lanes::WIDTH;
+
+const BINS: usize = 16;
+
+/// Deeper than this, splits are by halves: the depth, and with it the stack of a traversal, stays
+/// bounded whatever the input.
+const SAH_DEPTH: usize = 16;
+
+/// A run of primitives that becomes a node or a leaf.
+#[derive(Clone, Copy)]
+struct Run {
+    from: usize,
+    to: usize,
+    bounds: Aabb,
+}
+
+impl Run {
+    fn count(&self) -> usize {
+        self.to - self.from
+    }
+}
+
+struct Builder<'a> {
+    boxes: &'a [Aabb],
+    order: Vec<u32>,
+    tree: Tree,
+    start: Vec<u32>,
+}
+
+impl Tree {
+    /// Builds over `boxes`, none of them empty, at least one.
+    pub(crate) fn build(boxes: &[Aabb]) -> Result<(Tree, Leaves)> {
+        if boxes.len() >= LEAF as usize {
+            return Err(Error::unsupported(format!("{} primitives are too many for one hierarchy", boxes.len())));
+        }
+        let bounds = boxes.iter().fold(Aabb::EMPTY, |all, b| all.hull(*b));
+        let mut order: Vec<u32> = try_with_capacity("primitives", boxes.len())?;
+        order.extend(0..boxes.len() as u32);
+        let tree = Tree { nodes: Vec::new(), center: bounds.center(), diagonal: bounds.diagonal() };
+        let mut builder = Builder { boxes, order, tree, start: vec![0] };
+        builder.node(Run { from: 0, to: boxes.len(), bounds }, 0)?;
+        Ok((builder.tree, Leaves { order: builder.order, start: builder.start }))
+    }
+}
+
+impl Builder<'_> {
+    /// Appends the node of a run and everything below it; its index.
+    fn node(&mut self, run: Run, depth: usize) -> Result<u32> {
+        let at = self.tree.nodes.len();
+        self.tree.nodes.try_reserve(1).map_err(|_| Error::memory("nodes", at + 1))?;
+        self.tree.nodes.push(EMPTY_NODE);
+        let mut node: Node = EMPTY_NODE;
+        for (k, part) in self.split_in_eight(run, depth).into_iter().enumerate() {
+            let (lo, hi) = self.tree.relative(part.bounds);
+            for axis in 0..3 {
+                node.lo[axis][k] = lo[axis];
+                node.hi[axis][k] = hi[axis];
+            }
+            node.child[k] =
+                if part.count() <= LEAF_SIZE { self.leaf(part) | LEAF } else { self.node(part, depth + 1)? };
+        }
+        self.tree.nodes[at] = node;
+        Ok(at as u32)
+    }
+
+    fn leaf(&mut self, run: Run) -> u32 {
+        self.start.push(run.to as u32);
+        (self.start.len() - 2) as u32
+    }
+
+    /// Up to eight runs, in order: the largest one is split while there is room and need.
+    fn split_in_eight(&mut self, run: Run, depth: usize) -> Vec<Run> {
+        let mut parts = vec![run];
+        while parts.len() < WIDTH {
+            let largest = (0..parts.len()).max_by_key(|&k| (parts[k].count(), WIDTH - k)).unwrap_or(0);
+            if parts[largest].count() <= LEAF_SIZE {
+                break;
+            }
+            let (left, right) = self.split(parts[largest], depth);
+            parts[largest] = left;
+            parts.insert(largest + 1, right);
+        }
+        parts
+    }
+
+    fn split(&mut self, run: Run, depth: usize) -> (Run, Run) {
+        let middle = match self.best_plane(run, depth) {
+            Some((axis, plane)) => self.partition(run, axis, plane),
+            None => self.halve(run),
+        };
+        (self.run(run.from, middle), self.run(middle, run.to))
+    }
+
+    fn run(&self, from: usize, to: usize) -> Run {
+        let bounds = self.order[from..to].iter().fold(Aabb::EMPTY, |all, &k| all.hull(self.boxes[k as usize]));
+        Run { from, to, bounds }
+    }
+
+    fn centroid_bounds(&self, run: Run) -> Aabb {
+        Aabb::of(self.order[run.from..run.to].iter().map(|&k| self.boxes[k as usize].center()))
+    }
+
+    /// The axis and plane of least cost; none where the centroids coincide or the tree is too deep.
+    fn best_plane(&self, run: Run, depth: usize) -> Option<(usize, f64)> {
+        let centroids = self.centroid_bounds(run);
+        let extent = centroids.hi - centroids.lo;
+        if depth >= SAH_DEPTH {
+            return None;
+        }
+        let mut best: Option<(f64, usize, f64)> = None;
+        for axis in 0..3 {
+            let width = extent[axis] / BINS as f64;
+            if !(width > 0.0) {
+                continue;
+            }
+            let mut bins = [(0usize, Aabb::EMPTY); BINS];
+            for &k in &self.order[run.from..run.to] {
+                let b = self.boxes[k as usize];
+                let bin = bin_of(b.center()[axis], centroids.lo[axis], width);
+                bins[bin].0 += 1;
+                bins[bin].1 = bins[bin].1.hull(b);
+            }
+            let mut above = [(0usize, Aabb::EMPTY); BINS];
+            for i in (0..BINS - 1).rev() {
+                above[i] = (above[i + 1].0 + bins[i + 1].0, above[i + 1].1.hull(bins[i + 1].1));
+            }
+            let mut below = (0usize, Aabb::EMPTY);
+            for i in 0..BINS - 1 {
+                below = (below.0 + bins[i].0, below.1.hull(bins[i].1));
+                if below.0 == 0 || above[i].0 == 0 {
+                    continue;
+                }
+                let cost = leaves(below.0) * area(below.1) + leaves(above[i].0) * area(above[i].1);
+                if best.is_none_or(|(least, _, _)| cost < least) {
+                    best = Some((cost, axis, (i + 1) as f64));
+                }
+            }
+        }
+        best.map(|(_, axis, bin)| (axis, bin))
+    }
+
+    /// Moves the primitives of the lower bins to the front; where the upper ones begin.
+    fn partition(&mut self, run: Run, axis: usize, bin: f64) -> usize {
+        let centroids = self.centroid_bounds(run);
+        let (lo, width) = (centroids.lo[axis], (centroids.hi[axis] - centroids.lo[axis]) / BINS as f64);
+        let part = &self.order[run.from..run.to];
+        let is_lower = |k: &u32| (bin_of(self.boxes[*k as usize].center()[axis], lo, width) as f64) < bin;
+        let (mut lower, upper): (Vec<u32>, Vec<u32>) = part.iter().partition(|k| is_lower(k));
+        let middle = run.from + lower.len();
+        lower.extend(upper);
+        self.order[run.from..run.to].copy_from_slice(&lower);
+        middle
+    }
+
+    /// Two halves along the longest extent of the centroids, cut at a multiple of the leaf size.
+    fn halve(&mut self, run: Run) -> usize {
+        let extent = {
+            let c = self.centroid_bounds(run);
+            c.hi - c.lo
+        };
+        let axis = (0..3).fold(0, |a, b| if extent[b] > extent[a] { b } else { a });
+        let boxes = self.boxes;
+        let key = |k: u32| boxes[k as usize].center()[axis];
+        self.order[run.from..run.to].sort_unstable_by(|&a, &b| key(a).total_cmp(&key(b)).then(a.cmp(&b)));
+        run.from + (run.count() / 2).next_multiple_of(LEAF_SIZE).min(run.count() - 1)
+    }
+}
+
+fn bin_of(center: f64, lo: f64, width: f64) -> usize {
+    (((center - lo) / width) as usize).min(BINS - 1)
+}
+
+/// Leaves that so many primitives fill.
+fn leaves(count: usize) -> f64 {
+    count.div_ceil(LEAF_SIZE) as f64
+}
+
+/// Half the surface area.
+fn area(b: Aabb) -> f64 {
+    let d: Vec3 = b.hi - b.lo;
+    d.x * d.y + d.y * d.z + d.z * d.x
+}

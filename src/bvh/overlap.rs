@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! All leaves whose boxes meet a box. A line along an axis is a box, too.
+
+use super::{LEAF, Tree};
+use crate::math::Aabb;
+use crate::simd::lanes::WIDTH;
+
+impl Tree {
+    /// Calls `visit` for every leaf that may hold a primitive whose box meets `region` (closed, possibly
+    /// infinite).
+    pub(crate) fn overlapping(&self, region: Aabb, mut visit: impl FnMut(usize)) {
+        let (lo, hi) = ((region.lo - self.center).to_array(), (region.hi - self.center).to_array());
+        let mut stack = vec![0u32];
+        while let Some(at) = stack.pop() {
+            let node = &self.nodes[at as usize];
+            for k in 0..WIDTH {
+                let meets = (0..3)
+                    .all(|axis| f64::from(node.lo[axis][k]) <= hi[axis] && lo[axis] <= f64::from(node.hi[axis][k]));
+                if !meets || node.child[k] == u32::MAX {
+                    continue;
+                }
+                if node.child[k] & LEAF != 0 {
+                    visit((node.child[k] & !LEAF) as usize);
+                } else {
+                    stack.push(node.child[k]);
+                }
+            }
+        }
+    }
+}

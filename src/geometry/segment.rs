@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Where a segment enters and leaves a body (Roth 1982): the shapes' own crossings, combined by the
+//! logic of the tree.
+
+use super::Geometry;
+use super::node::Node;
+use super::surface::Surface;
+use crate::math::{Aabb, Vec3};
+use crate::primitive::{cuboid, sphere};
+
+/// No label.
+pub(crate) const NO_PART: i32 = -1;
+/// No tag.
+pub(crate) const NO_TAG: i32 = -1;
+
+/// What happens at a meeting with the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Change {
+    /// From outside to inside.
+    Enter,
+    /// From inside to outside.
+    Leave,
+    /// An unsigned sheet: no side changes.
+    Touch,
+}
+
+/// One meeting of a segment with the surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Event {
+    /// 0 at the start, 1 at the end.
+    pub(crate) t: f64,
+    pub(crate) change: Change,
+    /// Outward unit normal of the body.
+    pub(crate) normal: Vec3,
+    pub(crate) primitive: i64,
+    pub(crate) part: i32,
+    pub(crate) tag: i32,
+}
+
+impl Event {
+    fn shape(t: f64, change: Change, normal: Vec3) -> Event {
+        Event { t, change, normal, primitive: -1, part: NO_PART, tag: NO_TAG }
+    }
+
+    /// Seen from the other side of the surface.
+    fn turned(self) -> Event {
+        let change = match self.change {
+            Change::Enter => Change::Leave,
+            Change::Leave => Change::Enter,
+            Change::Touch => Change::Touch,
+        };
+        Event { change, normal: -self.normal, ..self }
+    }
+}
+
+impl Geometry {
+    /// The meetings of the segment from `a` to `b` (finite, different) with the surface, in order. Found
+    /// in closed form, except at a user's function, where a change of side between the ends is bisected
+    /// and a pair of crossings between them is not seen.
+    pub(crate) fn events(&self, a: Vec3, b: Vec3) -> Vec<Event> {
+        match self.node() {
+            Node::Sphere { center, radius } => within(sphere::interval(*center, *radius, a, b).map(|(t, u)| {
+                let normal = |t: f64| sphere::gradient(*center, a + (b - a) * t);
+                ((t, normal(t)), (u, normal(u)))
+            })),
+            Node::Cuboid(c) => within(cuboid::interval(*c, a, b)),
+            Node::Surface(surface) => surface_events(surface, a, b),
+            Node::Function { .. } => self.function_events(a, b),
+            Node::Union(parts) => combined(parts, a, b, false),
+            Node::Intersection(parts) => combined(parts, a, b, true),
+            Node::Complement(g) => g.events(a, b).into_iter().map(Event::turned).collect(),
+            Node::Translate(g, shift) => g.events(a - *shift, b - *shift),
+            Node::Place(g, placement) => {
+                let mut events = g.events(placement.to_body(a), placement.to_body(b));
+                events.iter_mut().for_each(|e| e.normal = placement.direction(e.normal));
+                events
+            }
+            Node::Part(g, label) => {
+                let mut events = g.events(a, b);
+                events.iter_mut().filter(|e| e.part == NO_PART).for_each(|e| e.part = *label);
+                events
+            }
+        }
+    }
+
+    fn function_events(&self, a: Vec3, b: Vec3) -> Vec<Event> {
+        let (before, after) = (self.is_inside(a), self.is_inside(b));
+        if before == after {
+            return Vec::new();
+        }
+        let t = self.bisect(a, b, before);
+        let change = if before { Change::Leave } else { Change::Enter };
+        vec![Event::shape(t, change, crate::math::unit(self.gradient(a + (b - a) * t)))]
+    }
+
+    pub(crate) fn is_inside(&self, p: Vec3) -> bool {
+        self.raw_value(p) <= 0.0
+    }
+
+    /// A crossing between ends on opposite sides, by halving until nothing is left to halve: the last
+    /// double before the side changes, seen from the outside end.
+    pub(crate) fn bisect(&self, a: Vec3, b: Vec3, inside_first: bool) -> f64 {
+        let (mut lo, mut hi) = (0.0f64, 1.0f64);
+        loop {
+            let middle = 0.5 * (lo + hi);
+            if middle <= lo || middle >= hi || hi - lo <= f64::EPSILON {
+                return if inside_first { lo } else { hi };
+            }
+            if self.is_inside(a + (b - a) * middle) == inside_first {
+                lo = middle;
+            } else {
+                hi = middle;
+            }
+        }
+    }
+
+    /// The normal and labels at a crossing that was bisected.
+    pub(crate) fn bisected_event(&self, p: Vec3, t: f64, change: Change) -> Event {
+        let near = self.closest(p);
+        let normal = crate::math::unit(near.gradient);
+        Event { t, change, normal, primitive: near.primitive, part: near.part, tag: near.tag }
+    }
+}
+
+/// The part of an interval of the line that lies on the segment.
+fn within(interval: Option<((f64, Vec3), (f64, Vec3))>) -> Vec<Event> {
+    let mut events = Vec::new();
+    if let Some((enter, leave)) = interval {
+        if (0.0..=1.0).contains(&enter.0) {
+            events.push(Event::shape(enter.0, Change::Enter, enter.1));
+        }
+        if (0.0..=1.0).contains(&leave.0) {
+            events.push(Event::shape(leave.0, Change::Leave, leave.1));
+        }
+    }
+    events
+}
+
+/// Of all triangles met, those where the winding number passes between 0 and 1.
+fn surface_events(surface: &Surface, a: Vec3, b: Vec3) -> Vec<Event> {
+    if surface.bounds().intersection(Aabb::of([a, b])).is_empty() {
+        return Vec::new();
+    }
+    let hits = surface.hits(a, b);
+    let mut winding = if surface.is_signed() && !hits.is_empty() { surface.winding(a) } else { 0 };
+    let mut events = Vec::new();
+    for hit in hits {
+        let before = winding >= 1;
+        winding += hit.change;
+        let change = match (surface.is_signed(), before, winding >= 1) {
+            (false, ..) => Change::Touch,
+            (_, false, true) => Change::Enter,
+            (_, true, false) => Change::Leave,
+            _ => continue,
+        };
+        events.push(Event {
+            t: hit.t,
+            change,
+            normal: hit.normal,
+            primitive: i64::from(surface.face(hit.triangle)),
+            part: NO_PART,
+            tag: surface.tag(hit.triangle),
+        });
+    }
+    events
+}
+
+/// Union, or intersection as the complement of the union of complements: a sweep that counts the parts
+/// the segment is inside of. At one place entering comes before leaving, so parts in contact are one.
+fn combined(parts: &[Geometry], a: Vec3, b: Vec3, complemented: bool) -> Vec<Event> {
+    let mut all = Vec::new();
+    let mut depth = 0;
+    for part in parts {
+        let events = part.events(a, b);
+        let first = events.iter().map(|e| e.change).find(|c| *c != Change::Touch);
+        let inside = match first {
+            Some(change) => change == Change::Leave,
+            None => part.is_inside(a),
+        };
+        depth += i32::from(inside != complemented);
+        all.extend(events.into_iter().map(|e| if complemented { e.turned() } else { e }));
+    }
+    all.sort_by(|u, v| u.t.total_cmp(&v.t).then((u.change == Change::Leave).cmp(&(v.change == Change::Leave))));
+    all.retain(|e| match e.change {
+        Change::Touch => depth == 0,
+        Change::Enter => {
+            depth += 1;
+            depth == 1
+        }
+        Change::Leave => {
+            depth -= 1;
+            depth == 0
+        }
+    });
+    if complemented { all.into_iter().map(Event::turned).collect() } else { all }
+}

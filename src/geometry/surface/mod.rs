@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Distance to a triangle surface: triangles laid out eight side by side, leaf after leaf of the
+//! hierarchy, and what the sign needs. Index-based arrays only.
+
+mod build;
+mod crossings;
+mod nearest;
+mod sign;
+
+pub(crate) use nearest::Nearest;
+
+use crate::bvh::Tree;
+use crate::geometry::SignMethod;
+use crate::math::{Aabb, Vec3};
+use crate::primitive::triangle::{Prepared, V3};
+use crate::simd::lanes::{F64x8, WIDTH};
+
+/// Marks the unused lanes of a block.
+const NO_TRIANGLE: u32 = u32::MAX;
+
+/// The triangles of one leaf.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+struct Block {
+    lanes: Prepared<F64x8>,
+    /// Triangle of each lane; an unused lane repeats the first one's shape.
+    triangle: [u32; WIDTH],
+}
+
+/// Corners of a triangle and the input face it belongs to.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+struct Corners {
+    vertex: [u32; 3],
+    face: u32,
+    tag: i32,
+    /// Block and lane, as block * 8 + lane.
+    place: u32,
+    /// Whether orientation turned the face over, so that its corners 1 and 2 stand exchanged.
+    turned: bool,
+}
+
+/// Signed or unsigned distance to a triangle surface. Immutable.
+pub(crate) struct Surface {
+    blocks: Vec<Block>,
+    /// None: every triangle is looked at.
+    tree: Option<Tree>,
+    vertices: Vec<Vec3>,
+    triangles: Vec<Corners>,
+    /// Pseudonormals of the edges 0-1, 1-2, 2-0 of each triangle; zero where they decide nothing.
+    edge_normals: Vec<[Vec3; 3]>,
+    /// Pseudonormal of each vertex; zero where it decides nothing.
+    vertex_normals: Vec<Vec3>,
+    bounds: Aabb,
+    diagonal: f64,
+    sign: Sign,
+    /// Winding number far away: 1 where an inside-out mesh was kept, else 0.
+    far_winding: i32,
+}
+
+/// How the sign is decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sign {
+    Pseudonormal,
+    Crossings,
+    Unsigned,
+}
+
+impl Surface {
+    pub(crate) fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    pub(crate) fn diagonal(&self) -> f64 {
+        self.diagonal
+    }
+
+    pub(crate) fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    pub(crate) fn is_signed(&self) -> bool {
+        self.sign != Sign::Unsigned
+    }
+
+    /// Whether the body is everything but what the surface encloses.
+    pub(crate) fn is_inverted(&self) -> bool {
+        self.far_winding == 1
+    }
+
+    pub(crate) fn sign_method(&self) -> SignMethod {
+        match self.sign {
+            Sign::Pseudonormal => SignMethod::Pseudonormal,
+            Sign::Crossings => SignMethod::Ray,
+            Sign::Unsigned => SignMethod::None,
+        }
+    }
+
+    pub(crate) fn face(&self, triangle: u32) -> u32 {
+        self.triangles[triangle as usize].face
+    }
+
+    pub(crate) fn tag(&self, triangle: u32) -> i32 {
+        self.triangles[triangle as usize].tag
+    }
+
+    pub(crate) fn bytes(&self) -> usize {
+        self.blocks.len() * size_of::<Block>()
+            + self.tree.as_ref().map_or(0, Tree::bytes)
+            + size_of_val(&self.vertices[..])
+            + size_of_val(&self.triangles[..])
+            + size_of_val(&self.edge_normals[..])
+            + size_of_val(&self.vertex_normals[..])
+    }
+
+    /// Feeds the bits that define every answer to `add`.
+    pub(crate) fn fingerprint(&self, add: &mut impl FnMut(u64)) {
+        add(self.sign as u64);
+        add(self.far_winding as u64);
+        for v in &self.vertices {
+            v.to_array().iter().for_each(|c| add((c + 0.0).to_bits()));
+        }
+        for t in &self.triangles {
+            t.vertex.iter().for_each(|&v| add(u64::from(v)));
+            add(u64::from(t.face));
+            add(t.tag as u64);
+            add(u64::from(t.turned));
+        }
+    }
+
+    fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        self.triangles[triangle as usize].vertex.map(|v| self.vertices[v as usize])
+    }
+
+    fn prepared(&self, triangle: u32) -> Prepared<f64> {
+        let place = self.triangles[triangle as usize].place as usize;
+        self.blocks[place / WIDTH].lane(place % WIDTH)
+    }
+
+    fn normal(&self, triangle: u32) -> Vec3 {
+        self.prepared(triangle).normal.to_vec()
+    }
+
+    /// Calls `visit` for every triangle whose box may meet `region`.
+    fn overlapping(&self, region: Aabb, mut visit: impl FnMut(u32)) {
+        let mut block = |k: usize| {
+            self.blocks[k].triangle.iter().filter(|&&t| t != NO_TRIANGLE).for_each(|&t| visit(t));
+        };
+        match &self.tree {
+            Some(tree) => tree.overlapping(region, block),
+            None => (0..self.blocks.len()).for_each(&mut block),
+        }
+    }
+}
+
+impl Block {
+    /// Up to eight triangles; the lanes left over repeat the first.
+    fn new(triangles: &[(u32, Prepared<f64>)]) -> Block {
+        let lane = |k: usize| &triangles[if k < triangles.len() { k } else { 0 }].1;
+        let gather = |get: &dyn Fn(&Prepared<f64>) -> f64| F64x8(std::array::from_fn(|k| get(lane(k))));
+        let vector =
+            |get: &dyn Fn(&Prepared<f64>) -> V3<f64>| V3(std::array::from_fn(|axis| gather(&|t| get(t).0[axis])));
+        Block {
+            lanes: Prepared {
+                corner: std::array::from_fn(|i| vector(&|t| t.corner[i])),
+                normal: vector(&|t| t.normal),
+                inward: std::array::from_fn(|i| vector(&|t| t.inward[i])),
+                inverse: std::array::from_fn(|i| gather(&|t| t.inverse[i])),
+            },
+            triangle: std::array::from_fn(|k| triangles.get(k).map_or(NO_TRIANGLE, |t| t.0)),
+        }
+    }
+
+    /// One triangle, with the same bits.
+    fn lane(&self, k: usize) -> Prepared<f64> {
+        let vector = |v: &V3<F64x8>| V3(std::array::from_fn(|axis| v.0[axis].0[k]));
+        Prepared {
+            corner: std::array::from_fn(|i| vector(&self.lanes.corner[i])),
+            normal: vector(&self.lanes.normal),
+            inward: std::array::from_fn(|i| vector(&self.lanes.inward[i])),
+            inverse: std::array::from_fn(|i| self.lanes.inverse[i].0[k]),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The sign: angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they decide clearly, exact
+//! crossings of a vertical line elsewhere. Both are exact off the surface of a closed mesh, so it does
+//! not matter which one answered.
+
+use super::{Nearest, Sign, Surface};
+use crate::math::{Aabb, Vec3, length, unit};
+use crate::primitive::crossing::AxisLine;
+
+/// Below this cosine between the offset and the pseudonormal, crossings decide.
+const CLEAR_COSINE: f64 = 1e-3;
+
+/// Nearer than this times the diagonal, the direction of the offset is rounding: crossings decide.
+const CLEAR_DISTANCE: f64 = 1e-11;
+
+impl Surface {
+    /// Signed distance: negative inside. Zero is +0.0.
+    pub(crate) fn value(&self, p: Vec3) -> f64 {
+        self.signed(p, &self.nearest(p))
+    }
+
+    /// The signed distance of a point whose nearest triangle is known.
+    pub(crate) fn signed(&self, p: Vec3, nearest: &Nearest) -> f64 {
+        let d = nearest.distance;
+        if d == 0.0 || self.sign == Sign::Unsigned || !self.is_inside(p, nearest) { d } else { -d }
+    }
+
+    /// Gradient of the signed distance; on the surface, the pseudonormal.
+    pub(crate) fn gradient(&self, p: Vec3, nearest: &Nearest) -> Vec3 {
+        let away = unit(p - nearest.point);
+        let near = nearest.distance <= CLEAR_DISTANCE * self.diagonal;
+        if near || away == Vec3::ZERO {
+            let normal = unit(self.pseudonormal(nearest));
+            let face = self.normal(nearest.triangle);
+            return [normal, face, away].into_iter().find(|n| *n != Vec3::ZERO).unwrap_or(Vec3::X);
+        }
+        if self.signed(p, nearest) < 0.0 { -away } else { away }
+    }
+
+    fn is_inside(&self, p: Vec3, nearest: &Nearest) -> bool {
+        if self.sign == Sign::Pseudonormal && nearest.distance > CLEAR_DISTANCE * self.diagonal {
+            let (offset, normal) = (p - nearest.point, self.pseudonormal(nearest));
+            let along = offset.dot(normal);
+            if along.abs() > CLEAR_COSINE * length(offset) * length(normal) {
+                return along < 0.0;
+            }
+        }
+        self.winding(p) >= 1
+    }
+
+    /// The pseudonormal of the nearest feature; zero where it decides nothing.
+    fn pseudonormal(&self, nearest: &Nearest) -> Vec3 {
+        let t = nearest.triangle as usize;
+        match nearest.feature {
+            0 => self.normal(nearest.triangle),
+            k @ 1..=3 => self.edge_normals[t][k - 1],
+            k => self.vertex_normals[self.triangles[t].vertex[k - 4] as usize],
+        }
+    }
+
+    /// The winding number of the surface around `p`: exact for a closed surface. At least 1 is inside.
+    pub(crate) fn winding(&self, p: Vec3) -> i32 {
+        if !self.bounds.contains(p) {
+            return self.far_winding;
+        }
+        let line = AxisLine::new(2, p);
+        let column = Aabb::new(p, Vec3::new(p.x, p.y, f64::INFINITY));
+        let mut winding = self.far_winding;
+        self.overlapping(column, |t| {
+            let corners = self.corners(t);
+            let turn = line.meets(corners);
+            if turn != 0 && line.below(p.z, corners, turn) {
+                winding += turn;
+            }
+        });
+        winding
+    }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Values at the points of a lattice: the node values of a level set.
+
+use super::{CHUNK, Lattice, check, suited};
+use crate::error::{Error, Result};
+use crate::geometry::{Geometry, Kind};
+use crate::math::Vec3;
+use crate::parallel::Run;
+
+/// What a fill writes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FillMode {
+    /// The value.
+    Exact,
+    /// The value where its magnitude is below the band, plus or minus the band elsewhere.
+    Band(f64),
+    /// -1, 0 or +1.
+    Sign,
+}
+
+impl FillMode {
+    /// What this mode writes for a value.
+    fn of(self, value: f64) -> f64 {
+        match self {
+            FillMode::Exact => value,
+            FillMode::Band(band) if value.abs() < band => value,
+            FillMode::Band(band) => band.copysign(value),
+            FillMode::Sign if value > 0.0 => 1.0,
+            FillMode::Sign if value < 0.0 => -1.0,
+            FillMode::Sign => value,
+        }
+    }
+}
+
+/// Fills a lattice: `emit([i, j, k], values)` gives the values at (i, j, k), (i + 1, j, k), ... A geometry
+/// of which only the sign is known takes [`FillMode::Sign`] alone.
+pub fn fill(
+    g: &Geometry,
+    lattice: &Lattice,
+    mode: FillMode,
+    run: &Run,
+    emit: &(dyn Fn([usize; 3], &[f64]) + Sync),
+) -> Result<()> {
+    if let FillMode::Band(band) = mode
+        && !(band > 0.0 && band.is_finite())
+    {
+        return Err(Error::invalid(format!("band: {band} is not finite and > 0")));
+    }
+    if mode != FillMode::Sign && g.properties().kind == Kind::SignOnly {
+        return Err(Error::unsupported("mode: only the sign of this geometry is known (SIGN_ONLY); use SIGN (2)"));
+    }
+    let [x, y, z] = lattice.axes;
+    in_row_pieces(&suited(g, run), lattice.n(), &|at, count| {
+        let mut values = [0.0; CHUNK];
+        for (d, value) in values[..count].iter_mut().enumerate() {
+            let p = Vec3::new(x[at[0] + d], y[at[1]], z[at[2]]);
+            let exact = g.value(p);
+            check(g, exact, p)?;
+            *value = mode.of(exact);
+        }
+        emit(at, &values[..count]);
+        Ok(())
+    })
+}
+
+/// Pieces of the rows along x: `work([i, j, k], count)`.
+pub(super) fn in_row_pieces(
+    run: &Run,
+    n: [usize; 3],
+    work: &(dyn Fn([usize; 3], usize) -> Result<()> + Sync),
+) -> Result<()> {
+    if n.contains(&0) {
+        return Ok(());
+    }
+    let pieces = n[0].div_ceil(CHUNK);
+    run.for_each_chunk(pieces * n[1] * n[2], &|chunk| {
+        let (piece, row) = (chunk % pieces, chunk / pieces);
+        let i = piece * CHUNK;
+        work([i, row % n[1], row / n[1]], CHUNK.min(n[0] - i))
+    })
+}

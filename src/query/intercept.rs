@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Where segments and lattice edges cross the surface.
+//!
+//! Both questions answer from one function of the two ends, taken in a fixed order, so an edge has the
+//! same crossing whoever asks and from whichever end.
+
+use super::fill::in_row_pieces;
+use super::{CHUNK, Lattice, check, in_chunks, suited};
+use crate::error::{Error, Result};
+use crate::geometry::{Change, Event, Geometry, NO_PART};
+use crate::math::Vec3;
+use crate::parallel::Run;
+
+/// The crossing of one segment.
+#[derive(Clone, Copy, Debug)]
+pub struct Intercept {
+    /// 0 at a, 1 at b; NaN where the ends are on one side.
+    pub t: f64,
+    /// How often the surface was met between the ends.
+    pub count: i32,
+    /// 0 none, 1 ray, 2 several (the one nearest the outside end is given), 3 bisected.
+    pub status: i32,
+    /// Outward unit normal at the crossing; NaN where there is none.
+    pub normal: Vec3,
+    /// Input face; -1 where there is none.
+    pub primitive: i64,
+    /// Innermost label; -1 where there is none.
+    pub part: i32,
+    /// Tag of the face; -1 where there is none.
+    pub tag: i32,
+}
+
+/// How the place of a crossing is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CrossingForm {
+    /// The coordinate along the axis.
+    Coordinate,
+    /// 0 at the lattice point, 1 at its neighbour: the `t` of an intercept.
+    Fraction,
+}
+
+/// The crossing of one lattice edge.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing {
+    /// Where; NaN where the ends are on one side.
+    pub at: f64,
+    /// How often the surface was met between the ends.
+    pub count: i32,
+    /// Tag of the face; -1 where there is none.
+    pub tag: i32,
+    /// Innermost label; -1 where there is none.
+    pub part: i32,
+}
+
+const NO_INTERCEPT: Intercept =
+    Intercept { t: f64::NAN, count: 0, status: 0, normal: Vec3::NAN, primitive: -1, part: NO_PART, tag: -1 };
+
+/// Crossings of the segments from `a[3 * i..]` to `b[3 * i..]`. Never fails for want of a crossing.
+pub fn intercepts(
+    g: &Geometry,
+    a: &[f64],
+    b: &[f64],
+    run: &Run,
+    emit: &(dyn Fn(usize, &[Intercept]) + Sync),
+) -> Result<()> {
+    if a.len() != b.len() || !a.len().is_multiple_of(3) {
+        return Err(Error::invalid(format!("a, b: {} and {} numbers are not three an end", a.len(), b.len())));
+    }
+    in_chunks(&suited(g, run), a.len() / 3, &|first, count| {
+        let end = |x: &[f64], i: usize| Vec3::from_slice(&x[3 * i..3 * i + 3]);
+        let mut answers = [NO_INTERCEPT; CHUNK];
+        for (k, answer) in answers[..count].iter_mut().enumerate() {
+            *answer = intercept(g, end(a, first + k), end(b, first + k))?.0;
+        }
+        emit(first, &answers[..count]);
+        Ok(())
+    })
+}
+
+/// Crossings of the edges that join each lattice point to its neighbour along `axis`:
+/// `emit([i, j, k], crossings)` gives those that begin at (i, j, k), (i + 1, j, k), ...
+pub fn crossings(
+    g: &Geometry,
+    lattice: &Lattice,
+    axis: usize,
+    form: CrossingForm,
+    run: &Run,
+    emit: &(dyn Fn([usize; 3], &[Crossing]) + Sync),
+) -> Result<()> {
+    if axis > 2 {
+        return Err(Error::invalid(format!("axis: {axis} is not 0, 1 or 2")));
+    }
+    let mut edges = lattice.n();
+    edges[axis] = edges[axis].saturating_sub(1);
+    let point = |at: [usize; 3]| Vec3::from_array([0, 1, 2].map(|d| lattice.axes[d][at[d]]));
+    in_row_pieces(&suited(g, run), edges, &|at, count| {
+        let mut found = Vec::with_capacity(count);
+        for d in 0..count {
+            let from = [at[0] + d, at[1], at[2]];
+            let mut to = from;
+            to[axis] += 1;
+            let (a, b) = (point(from), point(to));
+            let (answer, from_low) = intercept(g, a, b)?;
+            let at = match form {
+                CrossingForm::Fraction => answer.t,
+                CrossingForm::Coordinate => coordinate(a[axis].min(b[axis]), a[axis].max(b[axis]), from_low),
+            };
+            found.push(Crossing { at, count: answer.count, tag: answer.tag, part: answer.part });
+        }
+        emit(at, &found);
+        Ok(())
+    })
+}
+
+/// The coordinate at `t` between two ends, never beyond them; NaN where `t` is.
+fn coordinate(low: f64, high: f64, t: f64) -> f64 {
+    let at = low + (high - low) * t;
+    if t == 1.0 || at > high { high } else { at }
+}
+
+/// The crossing of one segment, and the same `t` counted from the end of lesser coordinates.
+fn intercept(g: &Geometry, a: Vec3, b: Vec3) -> Result<(Intercept, f64)> {
+    if !a.is_finite() || !b.is_finite() || a == b {
+        return Ok((NO_INTERCEPT, f64::NAN));
+    }
+    let turned = b.to_array() < a.to_array();
+    let (low, high) = if turned { (b, a) } else { (a, b) };
+    let mut answer = ordered(g, low, high)?;
+    let from_low = answer.t;
+    if turned {
+        answer.t = 1.0 - from_low;
+    }
+    Ok((answer, from_low))
+}
+
+/// The same, from the end of lesser coordinates.
+fn ordered(g: &Geometry, low: Vec3, high: Vec3) -> Result<Intercept> {
+    let values = (g.value(low), g.value(high));
+    check(g, values.0, low)?;
+    check(g, values.1, high)?;
+    if values.0.is_nan() || values.1.is_nan() {
+        return Ok(NO_INTERCEPT);
+    }
+    let inside = (values.0 <= 0.0, values.1 <= 0.0);
+    let events = g.events(low, high);
+    let count = events.len() as i32;
+    if inside.0 == inside.1 {
+        return Ok(Intercept { count, ..NO_INTERCEPT });
+    }
+    let crossings: Vec<&Event> = events.iter().filter(|e| e.change != Change::Touch).collect();
+    let change = if inside.0 { Change::Leave } else { Change::Enter };
+    // The sides alternate, beginning and ending as the values say.
+    let agrees =
+        crossings.len() % 2 == 1 && crossings.iter().enumerate().all(|(k, e)| (e.change == change) == (k % 2 == 0));
+    let nearest_outside = if inside.0 { crossings.last() } else { crossings.first() };
+    let (event, status) = match nearest_outside {
+        Some(event) if agrees => (**event, if crossings.len() > 1 { 2 } else { 1 }),
+        // A zero end needs no search.
+        _ if values.0 == 0.0 => (g.bisected_event(low, 0.0, change), 1),
+        _ if values.1 == 0.0 => (g.bisected_event(high, 1.0, change), 1),
+        _ => {
+            let t = g.bisect(low, high, inside.0);
+            (g.bisected_event(low + (high - low) * t, t, change), 3)
+        }
+    };
+    let t = if values.0 == 0.0 {
+        0.0
+    } else if values.1 == 0.0 {
+        1.0
+    } else {
+        event.t
+    };
+    Ok(Intercept {
+        t,
+        count: count.max(1),
+        status,
+        normal: event.normal,
+        primitive: event.primitive,
+        part: event.part,
+        tag: event.tag,
+    })
+}

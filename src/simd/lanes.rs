@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! One f64, or eight side by side, behind one set of operations: kernels are written once, and the
+//! scalar one is the brute-force twin of the vector one. Plain loops over arrays, which the compiler
+//! turns into vector instructions of the level it compiles for.
+
+use std::ops::{Add, Mul, Sub};
+
+/// Values that kernels compute with. A comparison with NaN is false.
+pub(crate) trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    type Mask: Copy;
+    fn splat(x: f64) -> Self;
+    /// `self < other`.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `self <= other`.
+    fn le(self, other: Self) -> Self::Mask;
+    /// Both masks.
+    fn and(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// `yes` where the mask holds, else `no`.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+}
+
+impl Lanes for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn splat(x: f64) -> f64 {
+        x
+    }
+
+    #[inline(always)]
+    fn lt(self, other: f64) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn le(self, other: f64) -> bool {
+        self <= other
+    }
+
+    #[inline(always)]
+    fn and(a: bool, b: bool) -> bool {
+        a & b
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: f64, no: f64) -> f64 {
+        if mask { yes } else { no }
+    }
+}
+
+/// Lanes side by side.
+pub(crate) const WIDTH: usize = 8;
+
+/// Eight f64.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct F64x8(pub(crate) [f64; WIDTH]);
+
+/// All bits set where a comparison holds.
+#[derive(Clone, Copy)]
+#[repr(C, align(64))]
+pub(crate) struct Mask8([u64; WIDTH]);
+
+macro_rules! lanewise {
+    ($trait:ident, $function:ident, $operator:tt) => {
+        impl $trait for F64x8 {
+            type Output = F64x8;
+
+            #[inline(always)]
+            fn $function(self, other: F64x8) -> F64x8 {
+                let mut out = [0.0; WIDTH];
+                for (k, x) in out.iter_mut().enumerate() {
+                    *x = self.0[k] $operator other.0[k];
+                }
+                F64x8(out)
+            }
+        }
+    };
+}
+
+lanewise!(Add, add, +);
+lanewise!(Sub, sub, -);
+lanewise!(Mul, mul, *);
+
+impl F64x8 {
+    #[inline(always)]
+    fn compare(self, other: F64x8, holds: impl Fn(f64, f64) -> bool) -> Mask8 {
+        let mut out = [0; WIDTH];
+        for (k, m) in out.iter_mut().enumerate() {
+            *m = if holds(self.0[k], other.0[k]) { !0 } else { 0 };
+        }
+        Mask8(out)
+    }
+}
+
+impl Lanes for F64x8 {
+    type Mask = Mask8;
+
+    #[inline(always)]
+    fn splat(x: f64) -> F64x8 {
+        F64x8([x; WIDTH])
+    }
+
+    #[inline(always)]
+    fn lt(self, other: F64x8) -> Mask8 {
+        self.compare(other, |a, b| a < b)
+    }
+
+    #[inline(always)]
+    fn le(self, other: F64x8) -> Mask8 {
+        self.compare(other, |a, b| a <= b)
+    }
+
+    #[inline(always)]
+    fn and(a: Mask8, b: Mask8) -> Mask8 {
+        let mut out = [0; WIDTH];
+        for (k, m) in out.iter_mut().enumerate() {
+            *m = a.0[k] & b.0[k];
+        }
+        Mask8(out)
+    }
+
+    #[inline(always)]
+    fn select(mask: Mask8, yes: F64x8, no: F64x8) -> F64x8 {
+        let mut out = [0.0; WIDTH];
+        for (k, x) in out.iter_mut().enumerate() {
+            *x = f64::from_bits((mask.0[k] & yes.0[k].to_bits()) | (!mask.0[k] & no.0[k].to_bits()));
+        }
+        F64x8(out)
+    }
+}
