@@ -1,2 +1,35 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! The C ABI: convert, call, convert.
+//! The C ABI: convert, call, convert. The files are named as the core modules they serve; the header
+//! `include/embound.h` is generated from them, so what is documented here is the reference manual.
+//!
+//! Every entry goes through one guard: panics become a status, results are computed in the default
+//! floating-point environment, and the caller's environment is as it was on return.
+
+// The names and the safety rules are C's; the header's preamble states what callers must keep.
+#![allow(non_camel_case_types, clippy::missing_safety_doc)]
+
+mod affinity;
+mod arrays;
+mod callback;
+mod constants;
+mod error;
+mod geometry;
+mod handle;
+mod mesh;
+mod pool;
+mod query;
+mod results;
+mod run;
+mod versioned;
+mod writer;
+
+pub use callback::{emb_callback_options, emb_drop_fn, emb_parallel_for_fn, emb_progress_fn, emb_value_fn};
+pub use constants::*;
+pub use error::{emb_isa, emb_last_error, emb_status, emb_version_number};
+pub use geometry::*;
+pub use mesh::*;
+pub use pool::{emb_pool, emb_pool_clone, emb_pool_free, emb_pool_from_callback, emb_pool_new, emb_pool_width};
+pub use query::*;
+pub use results::{emb_closest_out, emb_crossings_out, emb_hit_out};
+pub use run::emb_run;
+pub use writer::{emb_array, emb_lattice};

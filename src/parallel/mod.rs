@@ -12,7 +12,7 @@ mod pool;
 pub use pool::{Executor, Pool};
 
 use crate::error::{self, Error, Result, Status};
-use crate::simd::environment;
+use crate::simd::environment::{self, Environment};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
@@ -50,6 +50,7 @@ impl<'a> Run<'a> {
             work,
             progress: self.progress,
             caller: thread::current().id(),
+            environment: environment::caller(),
             next: AtomicUsize::new(0),
             done: AtomicUsize::new(0),
             stop: AtomicBool::new(false),
@@ -83,6 +84,7 @@ struct Job<'a> {
     work: &'a (dyn Fn(usize) -> Result<()> + Sync),
     progress: Option<Progress<'a>>,
     caller: thread::ThreadId,
+    environment: Option<Environment>,
     next: AtomicUsize,
     done: AtomicUsize,
     stop: AtomicBool,
@@ -91,7 +93,7 @@ struct Job<'a> {
 
 impl Job<'_> {
     fn take_chunks(&self) {
-        environment::with_default(|| {
+        environment::on_behalf_of(self.environment, || {
             while !self.stop.load(Ordering::Relaxed) {
                 let k = self.next.fetch_add(1, Ordering::Relaxed);
                 if k >= self.chunks {

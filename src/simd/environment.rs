@@ -1,17 +1,60 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The floating-point environment: results do not depend on the caller's rounding mode, flush-to-zero
-//! flags or traps, and the caller finds its environment, sticky flags included, as it left it.
+//! flags or traps, and the caller finds its environment, sticky flags included, as it left it. The
+//! user's callbacks run in the environment of the thread that made the call, on whatever thread they run.
+
+use std::cell::Cell;
 
 /// A saved control and status word.
 #[derive(Clone, Copy)]
 pub(crate) struct Environment(u64);
 
-/// Restores what it saved when dropped, so a panic restores it too.
+thread_local! {
+    /// The environment of the caller that this thread works for: that of the user's callbacks.
+    static CALLER: Cell<Option<Environment>> = const { Cell::new(None) };
+}
+
+/// Restores the environment that it saved when dropped, so a panic restores it too.
 struct Restore(Environment);
+
+/// Restores the caller that it saved when dropped.
+struct RestoreCaller(Option<Environment>);
+
+impl Drop for RestoreCaller {
+    fn drop(&mut self) {
+        CALLER.set(self.0);
+    }
+}
 
 impl Drop for Restore {
     fn drop(&mut self) {
         set(self.0);
+    }
+}
+
+/// Runs the work of an entry from outside: in the default environment, for a caller in the present one.
+#[inline]
+pub(crate) fn enter<R>(work: impl FnOnce() -> R) -> R {
+    on_behalf_of(Some(current()), work)
+}
+
+/// The caller that this thread works for, to be handed to the threads that share its work.
+pub(crate) fn caller() -> Option<Environment> {
+    CALLER.get()
+}
+
+/// Runs `work` in the default environment, for `caller`.
+#[inline]
+pub(crate) fn on_behalf_of<R>(caller: Option<Environment>, work: impl FnOnce() -> R) -> R {
+    let _restore = RestoreCaller(CALLER.replace(caller));
+    with_default(work)
+}
+
+/// Runs a user's callback, in the environment of the caller that this thread works for.
+pub(crate) fn as_caller<R>(work: impl FnOnce() -> R) -> R {
+    match CALLER.get() {
+        Some(environment) => with(environment, work),
+        None => work(),
     }
 }
 

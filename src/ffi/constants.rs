@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The constants of the C ABI. Values are never reused.
+
+/// Version of this header: major. The library's own is emb_version_number().
+pub const EMB_VERSION_MAJOR: u32 = 0;
+/// Version of this header: minor.
+pub const EMB_VERSION_MINOR: u32 = 1;
+/// Version of this header: patch.
+pub const EMB_VERSION_PATCH: u32 = 0;
+
+/// Success.
+pub const EMB_OK: i32 = 0;
+/// A required pointer was NULL.
+pub const EMB_ERROR_NULL_ARGUMENT: i32 = -1;
+/// An argument's value is outside what the function takes.
+pub const EMB_ERROR_INVALID_ARGUMENT: i32 = -2;
+/// A file could not be read or written.
+pub const EMB_ERROR_IO: i32 = -3;
+/// A file's content is not what its format asks for; the message names the offset or the line.
+pub const EMB_ERROR_PARSE: i32 = -4;
+/// Understood, but this version or this geometry cannot do it.
+pub const EMB_ERROR_UNSUPPORTED: i32 = -5;
+/// The mesh is unfit for the sign asked for.
+pub const EMB_ERROR_TOPOLOGY: i32 = -6;
+/// The progress callback asked to stop.
+pub const EMB_ERROR_CANCELLED: i32 = -7;
+/// A user's callback failed (returned NaN).
+pub const EMB_ERROR_CALLBACK: i32 = -8;
+/// Memory could not be had.
+pub const EMB_ERROR_MEMORY: i32 = -9;
+/// A defect in embound itself.
+pub const EMB_ERROR_INTERNAL: i32 = -99;
+
+/// emb_array: double.
+pub const EMB_F64: i32 = 0;
+/// emb_array: float. A nonzero value keeps its sign: its magnitude lies within [FLT_MIN, FLT_MAX].
+pub const EMB_F32: i32 = 1;
+/// emb_array: int32_t; sign fills, counts, tags and parts only.
+pub const EMB_I32: i32 = 2;
+/// emb_array: int8_t; sign fills and counts only. A count above 127 is written as 127.
+pub const EMB_I8: i32 = 3;
+
+/// Faces are oriented consistently and outward.
+pub const EMB_ORIENT_AUTO: i32 = 0;
+/// Faces stay as given: a mesh whose normals point inward stays inside out (internal flow).
+pub const EMB_ORIENT_KEEP: i32 = 1;
+/// Every face is turned over, and nothing else done.
+pub const EMB_ORIENT_FLIP: i32 = 2;
+
+/// The format is found from the content.
+pub const EMB_FORMAT_DETECT: i32 = 0;
+/// STL, binary or ASCII.
+pub const EMB_FORMAT_STL: i32 = 1;
+
+/// The sign method is chosen from the mesh; emb_geom_properties.sign_method tells which.
+pub const EMB_SIGN_AUTO: i32 = 0;
+/// Angle-weighted pseudonormals (Baerentzen & Aanaes 2005), for clean closed meshes.
+pub const EMB_SIGN_PSEUDONORMAL: i32 = 1;
+/// Generalised winding number. Not in this version: EMB_ERROR_UNSUPPORTED.
+pub const EMB_SIGN_WINDING: i32 = 2;
+/// Exact crossings of a ray, for closed meshes that intersect themselves.
+pub const EMB_SIGN_RAY: i32 = 3;
+/// Solid behind the first hit along an axis (terrain sheets). Not in this version: EMB_ERROR_UNSUPPORTED.
+pub const EMB_SIGN_AXIS: i32 = 4;
+/// Unsigned: never inside (baffles, sheets, triangle soup).
+pub const EMB_SIGN_NONE: i32 = 5;
+
+/// A mesh with boundary loops is EMB_ERROR_TOPOLOGY where the sign needs a closed one.
+pub const EMB_OPEN_ERROR: i32 = 0;
+/// Boundary loops are capped. Not in this version: EMB_ERROR_UNSUPPORTED.
+pub const EMB_OPEN_CAP: i32 = 1;
+/// Boundary loops are swept beyond the box open_lo, open_hi. Not in this version: EMB_ERROR_UNSUPPORTED.
+pub const EMB_OPEN_SWEEP: i32 = 2;
+
+/// A bounding volume hierarchy.
+pub const EMB_ACCELERATOR_AUTO: i32 = 0;
+/// None: every triangle is looked at. Slow; the reference for every other choice, with the same bits.
+pub const EMB_ACCELERATOR_NONE: i32 = 1;
+/// A hierarchy of small memory. Not in this version: EMB_ERROR_UNSUPPORTED.
+pub const EMB_ACCELERATOR_COMPACT: i32 = 2;
+
+/// The value is the signed distance to the surface.
+pub const EMB_EXACT: i32 = 0;
+/// The magnitude of the value is not above the distance to the surface.
+pub const EMB_LOWER_BOUND: i32 = 1;
+/// Only the sign of the value means anything.
+pub const EMB_SIGN_ONLY: i32 = 2;
+
+/// emb_geom_fill: the value.
+pub const EMB_FILL_EXACT: i32 = 0;
+/// emb_geom_fill: the value where its magnitude is below `band`, exactly +-band elsewhere.
+pub const EMB_FILL_BAND: i32 = 1;
+/// emb_geom_fill: -1, 0 or +1.
+pub const EMB_FILL_SIGN: i32 = 2;
+
+/// emb_crossings_out: `where` is the coordinate along the axis.
+pub const EMB_CROSSING_COORDINATE: i32 = 0;
+/// emb_crossings_out: `where` is 0 at the lattice point, 1 at its neighbour.
+pub const EMB_CROSSING_FRACTION: i32 = 1;
+/// emb_crossings_out: `none` is written to `where` on edges that the surface does not cross.
+pub const EMB_ELSEWHERE_WRITE: i32 = 0;
+/// emb_crossings_out: nothing is written, to any of the arrays, on edges that the surface does not cross.
+pub const EMB_ELSEWHERE_LEAVE: i32 = 1;
+
+const _: () = {
+    assert!(parse(env!("CARGO_PKG_VERSION_MAJOR")) == EMB_VERSION_MAJOR);
+    assert!(parse(env!("CARGO_PKG_VERSION_MINOR")) == EMB_VERSION_MINOR);
+    assert!(parse(env!("CARGO_PKG_VERSION_PATCH")) == EMB_VERSION_PATCH);
+};
+
+/// The number that a part of the version is.
+const fn parse(text: &str) -> u32 {
+    let (digits, mut value, mut k) = (text.as_bytes(), 0, 0);
+    while k < digits.len() {
+        value = value * 10 + (digits[k] - b'0') as u32;
+        k += 1;
+    }
+    value
+}
