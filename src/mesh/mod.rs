@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Polygon meshes: welded vertices, half-edge topology, report, orientation, pseudonormals, tags.
 
+mod arrays;
+mod build;
+mod duplicates;
+mod edges;
+mod faces;
+mod half_edge;
+mod measure;
+mod nesting;
 mod options;
+mod orient;
+mod pseudonormal;
+mod report;
+mod triangulate;
+mod weld;
 
+pub use half_edge::HalfEdges;
 pub use options::{MeshOptions, Orient};
 
 use crate::error::Result;
-use crate::math::Vec3;
+use crate::math::{Aabb, Vec3};
 
 /// A triangle of the surface as it stands after welding and orientation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,30 +31,48 @@ pub struct Triangle {
     pub face: u32,
 }
 
-/// What a mesh is like: see the fields.
-#[derive(Clone, Debug, Default)]
+/// What a mesh is like as read: after welding, before any repair. Edges are those of the input's faces;
+/// faces that welding left fewer than three corners have none.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
+    /// No edge has exactly one face.
     pub closed: bool,
+    /// No two faces run along their common edge the same way. Edges of more than two faces do not count.
     pub consistent: bool,
+    /// Of negative volume, and every edge is crossed as often one way as the other, so closed.
     pub inside_out: bool,
+    /// Sets of faces connected over edges.
     pub components: usize,
+    /// Vertices that faces use, after welding.
     pub vertices: usize,
+    /// Input faces.
     pub faces: usize,
+    /// Triangles that the input's faces amount to: two fewer than corners each.
     pub triangles: usize,
+    /// Edges of one face.
     pub boundary_edges: usize,
+    /// Edges of more than two faces.
     pub nonmanifold_edges: usize,
+    /// Edges that two faces run along the same way.
     pub inconsistent_edges: usize,
+    /// Faces that lost corners by welding, and faces of exactly zero area.
     pub degenerate_faces: usize,
+    /// Faces that repeat an earlier one, in either winding.
     pub duplicate_faces: usize,
+    /// Signed volume of the cones from the centre of the bounds over all triangles; of a closed and
+    /// consistent mesh, the volume it encloses, negative where it is inside out.
     pub volume: f64,
+    /// Area of all faces.
     pub area: f64,
+    /// Lower corner of the box around the vertices.
     pub lo: [f64; 3],
+    /// Upper corner.
     pub hi: [f64; 3],
 }
 
 /// The topology of the surface as it stands, after orientation and without duplicate faces: what a
 /// sign needs to know.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Surface {
     /// Edges of one face.
     pub boundary_edges: usize,
@@ -54,7 +86,7 @@ pub struct Surface {
 }
 
 /// Face, edge and angle-weighted vertex pseudonormals (Baerentzen & Aanaes 2005).
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pseudonormals {
     /// Unit normal of each triangle; zero where its area is zero.
     pub triangle: Vec<Vec3>,
@@ -65,57 +97,118 @@ pub struct Pseudonormals {
     pub vertex: Vec<Vec3>,
 }
 
-/// A surface mesh. Immutable.
+/// A surface mesh. Immutable; plain index arrays, so any number of threads may read it at once.
+///
+/// `face` and `primitive` numbers anywhere in the library are those of the input's faces, whatever was
+/// left out of the surface.
 pub struct Mesh {
-    _todo: (),
+    vertices: Vec<Vec3>,
+    triangles: Vec<Triangle>,
+    /// None at all where every tag is 0.
+    tags: Vec<i32>,
+    half_edges: HalfEdges,
+    report: Report,
+    surface: Surface,
 }
 
 impl Mesh {
-    pub fn from_triangles(
-        _xyz: &[f64],
-        _indices: &[u32],
-        _tags: Option<&[i32]>,
-        _options: &MeshOptions,
-    ) -> Result<Mesh> {
-        todo!()
+    /// A mesh of triangles: `xyz` holds three coordinates a vertex, `indices` three vertices a triangle,
+    /// `tags` a number a triangle (0 where there are none). Vertices that no triangle uses are left out.
+    ///
+    /// Time and memory are near linear.
+    ///
+    /// # Errors
+    /// [`Status::InvalidArgument`](crate::Status) naming the argument and the value: an option out of its range, a
+    /// length that is no multiple of three, no triangle at all, an index out of range, a coordinate that is
+    /// not finite or comes to lie beyond 1e100, a box whose diagonal is not above 1e-100, no triangle with
+    /// three different corners, more than 2^32 - 2 vertices or 2^32 - 1 indices.
+    /// [`Status::Memory`](crate::Status) where memory cannot be had.
+    pub fn from_triangles(xyz: &[f64], indices: &[u32], tags: Option<&[i32]>, options: &MeshOptions) -> Result<Mesh> {
+        build::build(arrays::check(xyz, None, indices, tags, options)?, options)
     }
 
+    /// A mesh of plane polygons: face f has the corners `indices[offsets[f]..offsets[f + 1]]`, at least
+    /// three. Faces may be concave and may touch themselves (a hole joined to the rim by a bridge); they
+    /// are cut into triangles by clipping ears.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::from_triangles`]; offsets that do not begin with 0, fall, leave a face fewer than
+    /// three corners or do not end with the count of indices; a face that is farther from a plane than
+    /// 1e-5 of its size (rounding of its coordinates to f32 is allowed for) or crosses itself.
     pub fn from_polygons(
-        _xyz: &[f64],
-        _offsets: &[usize],
-        _indices: &[u32],
-        _tags: Option<&[i32]>,
-        _options: &MeshOptions,
+        xyz: &[f64],
+        offsets: &[usize],
+        indices: &[u32],
+        tags: Option<&[i32]>,
+        options: &MeshOptions,
     ) -> Result<Mesh> {
-        todo!()
+        build::build(arrays::check(xyz, Some(offsets), indices, tags, options)?, options)
     }
 
-    /// Vertices after transformation and welding; none is unused.
+    /// Triangles whose vertices have been read from a file, three each.
+    pub(crate) fn from_soup(positions: Vec<Vec3>, tags: Vec<i32>, options: &MeshOptions) -> Result<Mesh> {
+        build::soup(positions, tags, options)
+    }
+
+    /// Vertices after transformation and welding, ordered by the lowest input vertex of each; none is
+    /// unused and no coordinate is -0.0.
     pub fn vertices(&self) -> &[Vec3] {
-        todo!()
+        &self.vertices
     }
 
-    /// Triangles of the surface as it stands: oriented, exact duplicates left out (the lowest input face stays),
-    /// faces that welding collapsed (a vertex twice) left out; ordered by input face.
+    /// Triangles of the surface as it stands: oriented, without exact duplicates (the lowest input face
+    /// stays) and without faces that welding left fewer than three corners; ordered by input face. Triangles
+    /// of zero area stay: the topology needs them.
     pub fn triangles(&self) -> &[Triangle] {
-        todo!()
+        &self.triangles
     }
 
-    /// The tag of an input face.
-    pub fn tag(&self, _face: u32) -> i32 {
-        todo!()
+    /// The number of triangles of the surface.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// The number of input faces.
+    pub fn face_count(&self) -> usize {
+        self.report.faces
+    }
+
+    /// The tag of an input face; 0 where no tags were given and for faces that do not exist.
+    pub fn tag(&self, face: u32) -> i32 {
+        self.tags.get(face as usize).copied().unwrap_or(0)
+    }
+
+    /// The topology of the faces of the surface, which keep all their corners.
+    pub fn half_edges(&self) -> &HalfEdges {
+        &self.half_edges
+    }
+
+    /// The box around the vertices.
+    pub fn bounds(&self) -> Aabb {
+        Aabb::of(self.vertices.iter().copied())
     }
 
     /// As read, after welding and before any repair.
     pub fn report(&self) -> &Report {
-        todo!()
+        &self.report
     }
 
+    /// Of the surface as it stands: what a sign needs to know.
     pub fn surface(&self) -> Surface {
-        todo!()
+        self.surface
     }
 
-    pub fn pseudonormals(&self) -> Pseudonormals {
-        todo!()
+    /// Pseudonormals of the surface as it stands, computed by this call in near linear time.
+    ///
+    /// # Errors
+    /// [`Status::Memory`](crate::Status).
+    pub fn pseudonormals(&self) -> Result<Pseudonormals> {
+        Pseudonormals::of(&self.vertices, &self.triangles)
+    }
+}
+
+impl std::fmt::Debug for Mesh {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Mesh").field("report", &self.report).field("surface", &self.surface).finish_non_exhaustive()
     }
 }

@@ -3,5 +3,6 @@
 
 pub(crate) mod crossing;
 pub(crate) mod cuboid;
+pub(crate) mod polygon;
 pub(crate) mod sphere;
 pub(crate) mod triangle;

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Half-edges of polygons in flat index arrays (Mäntylä 1988, Campagna et al. 1998).
+
+use super::edges::{Edges, NONE};
+use super::faces::{Faces, filled, starts_from_counts};
+use crate::error::Result;
+use std::ops::Range;
+
+/// The topology of a mesh as it stands: oriented, without duplicate and collapsed faces; faces keep all
+/// their corners.
+///
+/// The half-edges of a face have consecutive numbers, in its order. A half-edge has a twin where its edge
+/// has exactly two faces that run along it in opposite directions; at boundary edges, edges of more than
+/// two faces and edges that two faces run along the same way it has none. Every function is O(1) except where it
+/// says otherwise, and panics on a number out of range, as indexing does.
+#[derive(Clone, Debug)]
+pub struct HalfEdges {
+    faces: Faces,
+    of_half_edge: Vec<u32>,
+    twin: Vec<u32>,
+    outgoing_start: Vec<u32>,
+    outgoing: Vec<u32>,
+}
+
+impl HalfEdges {
+    pub(super) fn new(vertices: usize, faces: Faces, of_half_edge: Vec<u32>, edges: &Edges) -> Result<HalfEdges> {
+        let mut twin = edges.mates()?;
+        let corners = &faces.corners;
+        for (h, mate) in twin.iter_mut().enumerate() {
+            if *mate != NONE && corners[h] == corners[*mate as usize] {
+                *mate = NONE;
+            }
+        }
+        let mut start = filled("vertices", vertices + 1, 0u32)?;
+        for &v in corners {
+            start[v as usize] += 1;
+        }
+        starts_from_counts(&mut start);
+        let mut outgoing = filled("half-edges", corners.len(), 0u32)?;
+        for (h, &v) in corners.iter().enumerate() {
+            outgoing[start[v as usize] as usize] = h as u32;
+            start[v as usize] += 1;
+        }
+        // Scattering has moved each start to the next one's place.
+        start.rotate_right(1);
+        start[0] = 0;
+        Ok(HalfEdges { faces, of_half_edge, twin, outgoing_start: start, outgoing })
+    }
+
+    /// How many half-edges.
+    pub fn count(&self) -> usize {
+        self.twin.len()
+    }
+
+    /// How many faces; their numbers leave out the input faces that are gone.
+    pub fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// The input face that a face comes from.
+    pub fn input_face(&self, face: u32) -> u32 {
+        self.faces.input[face as usize]
+    }
+
+    /// The vertices of a face, counter-clockwise seen from outside.
+    pub fn corners(&self, face: u32) -> &[u32] {
+        self.faces.face(face as usize)
+    }
+
+    /// The half-edges round a face.
+    pub fn around_face(&self, face: u32) -> Range<u32> {
+        self.faces.start[face as usize]..self.faces.start[face as usize + 1]
+    }
+
+    /// The face of a half-edge.
+    pub fn face(&self, half_edge: u32) -> u32 {
+        self.of_half_edge[half_edge as usize]
+    }
+
+    /// The vertex that a half-edge leaves.
+    pub fn origin(&self, half_edge: u32) -> u32 {
+        self.faces.corners[half_edge as usize]
+    }
+
+    /// The vertex that a half-edge leads to.
+    pub fn target(&self, half_edge: u32) -> u32 {
+        self.origin(self.next(half_edge))
+    }
+
+    /// The next half-edge of the face.
+    pub fn next(&self, half_edge: u32) -> u32 {
+        let face = self.around_face(self.face(half_edge));
+        if half_edge + 1 == face.end { face.start } else { half_edge + 1 }
+    }
+
+    /// The previous half-edge of the face.
+    pub fn previous(&self, half_edge: u32) -> u32 {
+        let face = self.around_face(self.face(half_edge));
+        if half_edge == face.start { face.end - 1 } else { half_edge - 1 }
+    }
+
+    /// The half-edge of the other face, where there is one.
+    pub fn twin(&self, half_edge: u32) -> Option<u32> {
+        Some(self.twin[half_edge as usize]).filter(|&h| h != NONE)
+    }
+
+    /// All half-edges that leave a vertex, ascending: also where several fans of faces meet in it.
+    pub fn outgoing(&self, vertex: u32) -> &[u32] {
+        let at = |v: usize| self.outgoing_start[v] as usize;
+        &self.outgoing[at(vertex as usize)..at(vertex as usize + 1)]
+    }
+
+    /// The half-edges that leave the origin of `half_edge`, counter-clockwise seen from outside, beginning
+    /// with it; ends where the fan of faces ends or comes round.
+    pub fn around_vertex(&self, half_edge: u32) -> impl Iterator<Item = u32> + '_ {
+        let turn = move |&h: &u32| self.twin(self.previous(h)).filter(|&g| g != half_edge);
+        std::iter::successors(Some(half_edge), turn)
+    }
+}

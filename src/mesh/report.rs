@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! What a mesh is like as read: after welding, before any repair.
+
+use super::edges::{Edges, excess};
+use super::faces::{Faces, Sets, filled};
+use super::measure::{Sum, area, corners, volume};
+use super::{Report, Surface, Triangle};
+use crate::error::Result;
+use crate::math::Vec3;
+use crate::primitive::polygon;
+
+impl Report {
+    /// Counts edges and components, after [`Report::measure`]. Faces that welding collapsed have left `faces` already.
+    pub(super) fn count(&mut self, faces: &Faces, edges: &Edges, of_half_edge: &[u32]) -> Result<()> {
+        let mut sets = Sets::new(faces.len())?;
+        let mut balanced = true;
+        for edge in edges.iter() {
+            let excess = excess(&faces.corners, edge);
+            balanced &= excess == 0;
+            match edge.len() {
+                1 => self.boundary_edges += 1,
+                2 => self.inconsistent_edges += usize::from(excess != 0),
+                _ => self.nonmanifold_edges += 1,
+            }
+            for &h in &edge[1..] {
+                sets.join(of_half_edge[edge[0] as usize], of_half_edge[h as usize]);
+            }
+        }
+        self.components = (0..faces.len() as u32).filter(|&f| sets.find(f) == f).count();
+        self.closed = self.boundary_edges == 0;
+        self.consistent = self.inconsistent_edges == 0;
+        self.inside_out = balanced && self.volume < 0.0;
+        Ok(())
+    }
+
+    /// Volume, area, and the faces of zero area.
+    pub(super) fn measure(
+        &mut self,
+        vertices: &[Vec3],
+        faces: &Faces,
+        triangles: &[Triangle],
+        center: Vec3,
+    ) -> Result<()> {
+        let mut flat = filled("faces", faces.len(), true)?;
+        let mut total = Sum::default();
+        for t in triangles {
+            let [a, b, c] = corners(vertices, t);
+            total.add(area([a, b, c]));
+            let flat = &mut flat[t.face as usize];
+            *flat = *flat && polygon::are_collinear(a, b, c);
+        }
+        self.area = total.value();
+        self.volume = volume(vertices, triangles, center);
+        self.degenerate_faces += flat.iter().filter(|f| **f).count();
+        Ok(())
+    }
+}
+
+impl Surface {
+    /// Counts the edges of the surface as it stands.
+    pub(super) fn of(faces: &Faces, edges: &Edges, volume: f64) -> Surface {
+        let mut surface = Surface { volume, ..Surface::default() };
+        for edge in edges.iter() {
+            surface.boundary_edges += usize::from(edge.len() == 1);
+            surface.nonmanifold_edges += usize::from(edge.len() > 2);
+            surface.unbalanced_edges += usize::from(excess(&faces.corners, edge) != 0);
+        }
+        surface
+    }
+}
