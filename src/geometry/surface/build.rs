@@ -209,7 +209,7 @@ fn assemble(mesh: &Mesh, accelerated: bool, sign: Sign) -> Result<Surface> {
         blocks.push(Block::new(&members));
     }
     let bounds = Aabb::of((0..triangles.len()).flat_map(corners));
-    let normals = mesh.pseudonormals();
+    let normals = mesh.pseudonormals()?;
     Ok(Surface {
         blocks,
         tree,
