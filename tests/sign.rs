@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Signs against an independent test: the winding number as a sum of solid angles.
+
+mod common;
+
+use common::random::Random;
+use common::winding::winding_number;
+use common::{Soup, bodies, points};
+use embound::Status;
+use embound::geometry::{Geometry, SdfOptions, SignMethod};
+use embound::math::Vec3;
+use embound::mesh::{MeshOptions, Orient};
+use embound::parallel::Run;
+
+fn build(soup: &Soup, sign: SignMethod) -> embound::Result<Geometry> {
+    let options = SdfOptions { sign, ..SdfOptions::default() };
+    Geometry::from_mesh(&soup.mesh(), &options, &Run::SERIAL)
+}
+
+fn diagonal(soup: &Soup) -> f64 {
+    let (lo, hi) = soup.bounds();
+    (0..3).map(|d| (hi[d] - lo[d]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// Wherever the winding number is clearly 0 or at least 1, and rounding is far, the sign agrees.
+/// Returns how many points were compared.
+fn assert_signs(soup: &Soup, g: &Geometry, points: &[[f64; 3]]) -> usize {
+    let rounding = 1e-12 * (diagonal(soup) + soup.bounds().1.iter().fold(0.0, |m: f64, c| m.max(c.abs())));
+    let mut compared = 0;
+    for p in points {
+        let value = g.value(Vec3::from_array(*p));
+        let winding = winding_number(soup, *p);
+        if value.abs() <= rounding || (winding - winding.round()).abs() > 1e-3 {
+            continue;
+        }
+        compared += 1;
+        assert_eq!(value < 0.0, winding.round() >= 1.0, "value {value}, winding number {winding} at {p:?}");
+    }
+    compared
+}
+
+fn clean_bodies() -> Vec<Soup> {
+    vec![
+        bodies::tetrahedron(),
+        bodies::unit_cube(),
+        bodies::icosphere(2),
+        bodies::torus(1.0, 0.25, 32, 12),
+        bodies::leaning_pyramid(),
+        bodies::bracket(),
+        bodies::plate(3, 2, 0.2, 0.45, 5),
+        bodies::nested_shells(1),
+    ]
+}
+
+#[test]
+fn clean_bodies_have_the_right_sign_at_every_scale() {
+    let mut random = Random(21);
+    for soup in clean_bodies() {
+        for scale in [1e-6, 1.0, 1e6] {
+            let body = soup.scaled(scale);
+            let g = build(&body, SignMethod::Auto).unwrap();
+            assert_eq!(g.properties().sign_method, SignMethod::Pseudonormal);
+            let points = points::all_kinds(&body, 150, &mut random);
+            assert!(assert_signs(&body, &g, &points) > 250);
+        }
+    }
+}
+
+#[test]
+fn the_slab_with_a_leaning_pyramid_has_the_right_sign_by_its_overhanging_edges() {
+    let mut random = Random(22);
+    let body = bodies::leaning_pyramid();
+    let g = build(&body, SignMethod::Pseudonormal).unwrap();
+    let points: Vec<[f64; 3]> = (0..4000).map(|_| random.point([-0.5, -0.6, -0.1], [2.4, 0.6, 1.0])).collect();
+    assert!(assert_signs(&body, &g, &points) > 3900);
+}
+
+#[test]
+fn every_method_agrees_off_the_surface_of_a_clean_body() {
+    let mut random = Random(23);
+    for soup in clean_bodies() {
+        let by_normal = build(&soup, SignMethod::Pseudonormal).unwrap();
+        let by_ray = build(&soup, SignMethod::Ray).unwrap();
+        assert_eq!(by_ray.properties().sign_method, SignMethod::Ray);
+        for p in points::all_kinds(&soup, 400, &mut random) {
+            let p = Vec3::from_array(p);
+            let (a, b) = (by_normal.value(p), by_ray.value(p));
+            assert_eq!(a.abs().to_bits(), b.abs().to_bits());
+            assert!(a.to_bits() == b.to_bits() || a.abs() < 1e-14, "{a} {b} at {p}");
+        }
+    }
+}
+
+#[test]
+fn a_surface_through_itself_is_found_and_signed_by_crossings() {
+    let mut random = Random(24);
+    let soup = bodies::overlapping_spheres(2);
+    let g = build(&soup, SignMethod::Auto).unwrap();
+    assert_eq!(g.properties().sign_method, SignMethod::Ray);
+    let points = points::all_kinds(&soup, 400, &mut random);
+    assert!(assert_signs(&soup, &g, &points) > 1000);
+    let refused = build(&soup, SignMethod::Pseudonormal).err().expect("refused");
+    assert_eq!(refused.status(), Status::Topology);
+}
+
+#[test]
+fn a_triangle_without_area_poisons_nothing() {
+    // The edge 0-1 of a tetrahedron with a vertex in its middle on one side only: a flat triangle closes it.
+    let mut body = bodies::tetrahedron();
+    let [a, b, c] = body.triangles[0];
+    let (p, q) = (body.vertices[a as usize], body.vertices[b as usize]);
+    let middle = body.vertices.len() as u32;
+    body.vertices.push([0, 1, 2].map(|d| (p[d] + q[d]) / 2.0));
+    body.triangles[0] = [a, middle, c];
+    body.triangles.push([middle, b, c]);
+    body.triangles.push([a, b, middle]);
+    let g = build(&body, SignMethod::Auto).unwrap();
+    let mut random = Random(25);
+    let points = points::all_kinds(&body, 1000, &mut random);
+    assert!(assert_signs(&body, &g, &points) > 2000);
+}
+
+#[test]
+fn dirt_that_reading_mends_does_not_reach_the_sign() {
+    let mut random = Random(26);
+    let clean = bodies::torus(1.0, 0.25, 24, 10);
+    let points = points::all_kinds(&clean, 200, &mut random);
+    let dirty = [
+        clean.duplicated(),
+        clean.flipped(),
+        clean.flipped_where(|k| k % 2 == 0),
+        clean.duplicated().flipped_where(|k| k % 3 == 0),
+        clean.unshared(),
+    ];
+    for soup in dirty {
+        let g = build(&soup, SignMethod::Auto).unwrap();
+        assert!(assert_signs(&clean, &g, &points) > 400);
+    }
+}
+
+#[test]
+fn an_inside_out_body_is_turned_unless_it_is_kept() {
+    let soup = bodies::icosphere(2).flipped();
+    let options = |orient| MeshOptions { orient, ..MeshOptions::default() };
+    let value = |orient, p: [f64; 3]| {
+        let mesh = soup.mesh_with(&options(orient));
+        assert!(mesh.report().inside_out);
+        Geometry::from_mesh(&mesh, &SdfOptions::default(), &Run::SERIAL).unwrap().value(Vec3::from_array(p))
+    };
+    for p in [[0.1, 0.2, 0.3], [2.0, 0.1, 0.2], [50.0, 50.0, -50.0], [0.7, 0.7, 0.1]] {
+        assert_eq!(value(Orient::Auto, p), value(Orient::Flip, p));
+        assert_eq!(value(Orient::Auto, p), -value(Orient::Keep, p));
+    }
+    let kept = Geometry::from_mesh(&soup.mesh_kept(), &SdfOptions::default(), &Run::SERIAL).unwrap();
+    assert!(!kept.bounds().is_finite() && kept.complement().unwrap().bounds().is_finite());
+}
+
+#[test]
+fn open_and_inconsistent_surfaces_are_refused_with_the_counts() {
+    let hole = bodies::icosphere(1).without(|k| k == 7);
+    let error = build(&hole, SignMethod::Auto).err().expect("refused");
+    assert_eq!(error.status(), Status::Topology);
+    assert!(error.message().contains("3 boundary edges"), "{error}");
+    let strip = build(&bodies::moebius_strip(12), SignMethod::Ray).err().expect("refused");
+    assert_eq!(strip.status(), Status::Topology);
+    let twisted = bodies::icosphere(1).flipped_where(|k| k == 3).mesh_kept();
+    let error = Geometry::from_mesh(&twisted, &SdfOptions::default(), &Run::SERIAL).err().expect("refused");
+    assert!(error.message().contains("3 inconsistent edges"), "{error}");
+    let unsigned = build(&hole, SignMethod::None).unwrap();
+    assert!(unsigned.value(Vec3::ZERO) > 0.7 && unsigned.value(Vec3::splat(3.0)) > 0.0);
+}
+
+#[test]
+fn cubes_that_share_an_edge_are_signed_by_crossings() {
+    let mut random = Random(27);
+    let soup = bodies::cubes_sharing_an_edge();
+    let g = build(&soup, SignMethod::Auto).unwrap();
+    assert_eq!(g.properties().sign_method, SignMethod::Ray);
+    let points = points::all_kinds(&soup, 300, &mut random);
+    assert!(assert_signs(&soup, &g, &points) > 500);
+}
+
+#[test]
+fn signs_this_version_lacks_are_refused() {
+    for sign in [SignMethod::Winding, SignMethod::Axis] {
+        let error = build(&bodies::unit_cube(), sign).err().expect("refused");
+        assert_eq!(error.status(), Status::Unsupported);
+    }
+}
