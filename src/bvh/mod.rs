@@ -57,11 +57,6 @@ impl Tree {
         (lo.to_array().map(f32_below), hi.to_array().map(f32_above))
     }
 
-    /// Length of the diagonal of all boxes.
-    pub(crate) fn diagonal(&self) -> f64 {
-        self.diagonal
-    }
-
     /// Memory of the arrays.
     pub(crate) fn bytes(&self) -> usize {
         self.nodes.len() * size_of::<Node>()

@@ -115,7 +115,8 @@ fn sign(value: f64) -> i32 {
     i32::from(value > 0.0) - i32::from(value < 0.0)
 }
 
-/// Largest magnitude of a coordinate.
+/// Largest magnitude of a finite coordinate. (Towards infinity a value grows faster than its rounding.)
 fn extent(b: Aabb) -> f64 {
-    b.lo.abs().max(b.hi.abs()).max_element()
+    let coordinates = b.lo.to_array().into_iter().chain(b.hi.to_array());
+    coordinates.filter(|c| c.is_finite()).fold(0.0, |m, c| m.max(c.abs()))
 }

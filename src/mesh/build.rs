@@ -65,6 +65,7 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     for t in &mut triangles {
         if turned[t.face as usize] {
             t.vertices.swap(1, 2);
+            t.turned = true;
         }
         t.face = faces.input[t.face as usize];
     }

@@ -29,6 +29,8 @@ pub struct Triangle {
     pub vertices: [u32; 3],
     /// The input face it comes from.
     pub face: u32,
+    /// Whether orientation turned the face over: corners 1 and 2 then stand exchanged.
+    pub turned: bool,
 }
 
 /// What a mesh is like as read: after welding, before any repair. Edges are those of the input's faces;

@@ -19,11 +19,11 @@ pub(super) fn triangulate(vertices: &[Vec3], faces: &Faces, blame: Status) -> Re
     for (f, corners) in faces.iter().enumerate() {
         let face = f as u32;
         if let &[a, b, c] = corners {
-            triangles.push(Triangle { vertices: [a, b, c], face });
+            triangles.push(Triangle { vertices: [a, b, c], face, turned: false });
             continue;
         }
         scratch.cut(vertices, corners).map_err(|why| Error::new(blame, format!("face {}: {why}", faces.input[f])))?;
-        let to_vertices = |t: &[u32; 3]| Triangle { vertices: t.map(|k| corners[k as usize]), face };
+        let to_vertices = |t: &[u32; 3]| Triangle { vertices: t.map(|k| corners[k as usize]), face, turned: false };
         triangles.extend(scratch.triangles.iter().map(to_vertices));
     }
     Ok(triangles)

@@ -217,7 +217,13 @@ fn assemble(mesh: &Mesh, accelerated: bool, sign: Sign) -> Result<Surface> {
         triangles: triangles
             .iter()
             .zip(places)
-            .map(|(t, place)| Corners { vertex: t.vertices, face: t.face, tag: mesh.tag(t.face), place, turned: false })
+            .map(|(t, place)| Corners {
+                vertex: t.vertices,
+                face: t.face,
+                tag: mesh.tag(t.face),
+                place,
+                turned: t.turned,
+            })
             .collect(),
         edge_normals: normals.edge,
         vertex_normals: normals.vertex,

@@ -38,6 +38,10 @@ impl Surface {
     }
 
     fn is_inside(&self, p: Vec3, nearest: &Nearest) -> bool {
+        if !self.bounds.contains(p) {
+            // Far away, rounding may choose any triangle as the nearest one.
+            return self.far_winding >= 1;
+        }
         if self.sign == Sign::Pseudonormal && nearest.distance > CLEAR_DISTANCE * self.diagonal {
             let (offset, normal) = (p - nearest.point, self.pseudonormal(nearest));
             let along = offset.dot(normal);
