@@ -19,22 +19,23 @@ const STACK: usize = 7 * (16 + 12) + 8;
 /// Visits leaves until none can hold anything nearer. `relative_error` bounds the leaf kernel's error
 /// in a distance d by relative_error * (d + diagonal).
 #[inline(always)]
-pub(crate) fn nearest(tree: &Tree, p: Vec3, relative_error: f64, start: f64, leaf: &mut impl LeafDistance) {
+pub(crate) fn nearest(tree: &Tree, p: Vec3, relative_error: f64, leaf: &mut impl LeafDistance) {
     let at = p - tree.center;
     let limit = |squared: f64| {
         let d = squared.sqrt();
         let widened = d + 2.0 * relative_error * (d + tree.diagonal);
         widened * widened
     };
-    let mut bound = limit(start);
-    let mut stack = [(0.0f64, 0u32); STACK];
+    let mut bound = f64::INFINITY;
+    // Two arrays: one of pairs would be cleared element by element.
+    let (mut squared, mut waiting) = ([0.0f64; STACK], [0u32; STACK]);
     let mut top = 1;
     while top > 0 {
         top -= 1;
-        let (squared, child) = stack[top];
-        if squared > bound {
+        if squared[top] > bound {
             continue;
         }
+        let child = waiting[top];
         if child & LEAF != 0 {
             bound = limit(leaf.visit((child & !LEAF) as usize));
             continue;
@@ -49,11 +50,11 @@ pub(crate) fn nearest(tree: &Tree, p: Vec3, relative_error: f64, start: f64, lea
             }
             // Insert so that the nearest ends on top.
             let mut i = top;
-            while i > first && stack[i - 1].0 < distance[k] {
-                stack[i] = stack[i - 1];
+            while i > first && squared[i - 1] < distance[k] {
+                (squared[i], waiting[i]) = (squared[i - 1], waiting[i - 1]);
                 i -= 1;
             }
-            stack[i] = (distance[k], node.child[k]);
+            (squared[i], waiting[i]) = (distance[k], node.child[k]);
             top += 1;
         }
     }

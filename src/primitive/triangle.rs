@@ -159,3 +159,80 @@ fn edge<L: Lanes>(t: &Prepared<L>, to: &[V3<L>; 3], k: usize) -> Foot<L> {
     let feature = L::select(at_end, end, L::select(after_start, L::splat(1.0 + k as f64), start));
     Foot { squared: offset.dot(offset), feature, along }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::lanes::F64x8;
+
+    fn gathered(lanes: &[Prepared<f64>; 8]) -> Prepared<F64x8> {
+        let vector = |get: &dyn Fn(&Prepared<f64>) -> V3<f64>| {
+            V3(std::array::from_fn(|axis| F64x8(std::array::from_fn(|k| get(&lanes[k]).0[axis]))))
+        };
+        Prepared {
+            corner: std::array::from_fn(|i| vector(&|t| t.corner[i])),
+            normal: vector(&|t| t.normal),
+            inward: std::array::from_fn(|i| vector(&|t| t.inward[i])),
+            inverse: std::array::from_fn(|i| F64x8(std::array::from_fn(|k| lanes[k].inverse[i]))),
+        }
+    }
+
+    struct Eight<'a>(&'a Prepared<F64x8>, Vec3);
+
+    impl crate::simd::Kernel for Eight<'_> {
+        type Output = Foot<F64x8>;
+
+        #[inline(always)]
+        fn run(self) -> Foot<F64x8> {
+            let p = V3([F64x8::splat(self.1.x), F64x8::splat(self.1.y), F64x8::splat(self.1.z)]);
+            nearest(self.0, p)
+        }
+    }
+
+    /// Coordinates on a coarse grid, so that edges, corners, ties and flat triangles all occur.
+    fn vector(state: &mut u64) -> Vec3 {
+        let mut coordinate = || {
+            *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((*state >> 33) % 9) as f64 - 4.0
+        };
+        Vec3::new(coordinate(), coordinate(), coordinate())
+    }
+
+    #[test]
+    fn eight_lanes_give_the_bits_of_one() {
+        let mut state = 7;
+        for _ in 0..20_000 {
+            let lanes: [Prepared<f64>; 8] =
+                std::array::from_fn(|_| Prepared::new([vector(&mut state), vector(&mut state), vector(&mut state)]));
+            let p = vector(&mut state) * 1.25;
+            let eight = crate::simd::dispatch(Eight(&gathered(&lanes), p));
+            for (k, lane) in lanes.iter().enumerate() {
+                let one = nearest(lane, V3::from_vec(p));
+                assert_eq!(one.squared.to_bits(), eight.squared.0[k].to_bits());
+                assert_eq!((one.feature, one.along.to_bits()), (eight.feature.0[k], eight.along.0[k].to_bits()));
+            }
+        }
+    }
+
+    #[test]
+    fn the_foot_is_nearer_than_any_sampled_point() {
+        let mut state = 8;
+        for _ in 0..2000 {
+            let corners = [vector(&mut state), vector(&mut state), vector(&mut state)];
+            let prepared = Prepared::new(corners);
+            let p = vector(&mut state) * 1.5;
+            let foot = nearest(&prepared, V3::from_vec(p));
+            let (point, weights) = prepared.point(p, &foot);
+            let rebuilt = corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z;
+            assert!((rebuilt - point).length() < 1e-12 && (weights.element_sum() - 1.0).abs() < 1e-12);
+            assert!(((p - point).length() - foot.squared.sqrt()).abs() < 1e-12);
+            for i in 0..=10 {
+                for j in 0..=10 - i {
+                    let (u, v) = (i as f64 / 10.0, j as f64 / 10.0);
+                    let sample = corners[0] * (1.0 - u - v) + corners[1] * u + corners[2] * v;
+                    assert!((p - sample).length() >= foot.squared.sqrt() - 1e-12);
+                }
+            }
+        }
+    }
+}

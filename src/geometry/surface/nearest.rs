@@ -5,7 +5,7 @@ use super::{Block, NO_TRIANGLE, Surface};
 use crate::bvh::{self, LeafDistance, Tree};
 use crate::math::{Vec3, length};
 use crate::primitive::triangle::{self, Foot, RELATIVE_ERROR, V3};
-use crate::simd::lanes::{Lanes, WIDTH};
+use crate::simd::lanes::{F64x8, Lanes, WIDTH};
 use crate::simd::{Kernel, dispatch};
 
 /// The nearest triangle and where on it.
@@ -39,10 +39,10 @@ impl Best {
     }
 }
 
-/// The accelerated search.
+/// The search: by the hierarchy, or, without one, over everything.
 struct Search<'a> {
     blocks: &'a [Block],
-    tree: &'a Tree,
+    tree: Option<&'a Tree>,
     p: Vec3,
 }
 
@@ -53,18 +53,25 @@ impl Kernel for Search<'_> {
     fn run(self) -> Best {
         let p = V3([Lanes::splat(self.p.x), Lanes::splat(self.p.y), Lanes::splat(self.p.z)]);
         let mut leaf = Leaf { blocks: self.blocks, p, best: Best::NONE };
-        bvh::nearest(self.tree, self.p, RELATIVE_ERROR, f64::INFINITY, &mut leaf);
+        match self.tree {
+            Some(tree) => bvh::nearest(tree, self.p, RELATIVE_ERROR, &mut leaf),
+            None => {
+                for k in 0..self.blocks.len() {
+                    leaf.visit(k);
+                }
+            }
+        }
         leaf.best
     }
 }
 
-struct Leaf<'a, L> {
+struct Leaf<'a> {
     blocks: &'a [Block],
-    p: V3<L>,
+    p: V3<F64x8>,
     best: Best,
 }
 
-impl LeafDistance for Leaf<'_, crate::simd::lanes::F64x8> {
+impl LeafDistance for Leaf<'_> {
     #[inline(always)]
     fn visit(&mut self, leaf: usize) -> f64 {
         let block = &self.blocks[leaf];
@@ -79,10 +86,7 @@ impl LeafDistance for Leaf<'_, crate::simd::lanes::F64x8> {
 impl Surface {
     /// The nearest triangle to a finite point.
     pub(crate) fn nearest(&self, p: Vec3) -> Nearest {
-        let best = match &self.tree {
-            Some(tree) => dispatch(Search { blocks: &self.blocks, tree, p }),
-            None => self.nearest_of_all(p),
-        };
+        let best = dispatch(Search { blocks: &self.blocks, tree: self.tree.as_ref(), p });
         // Beyond 1e154 every squared distance is infinite and the first triangle stands for all.
         let triangle = if best.triangle == NO_TRIANGLE { 0 } else { best.triangle };
         let prepared = self.prepared(triangle);
@@ -90,18 +94,6 @@ impl Surface {
         let (point, barycentric) = prepared.point(p, &foot);
         let distance = if best.squared.is_finite() { best.squared.sqrt() } else { length(p - self.vertices[0]) };
         Nearest { distance, triangle, feature: foot.feature as usize, point, barycentric }
-    }
-
-    /// The brute-force twin of the search.
-    fn nearest_of_all(&self, p: Vec3) -> Best {
-        let mut best = Best::NONE;
-        for block in &self.blocks {
-            for k in (0..WIDTH).filter(|&k| block.triangle[k] != NO_TRIANGLE) {
-                let foot: Foot<f64> = triangle::nearest(&block.lane(k), V3::from_vec(p));
-                best.offer(foot.squared, block.triangle[k]);
-            }
-        }
-        best
     }
 
     /// Feature and barycentric coordinates in the order of the input face's corners.
