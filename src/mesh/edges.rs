@@ -89,6 +89,9 @@ impl Edges {
 /// How many more half-edges of an edge run one way than the other: 0 for a balanced one.
 pub(crate) fn excess(corners: &[u32], edge: &[u32]) -> usize {
     let along = |h: &u32| corners[*h as usize] == corners[edge[0] as usize];
+    if let [_, other] = edge {
+        return if along(other) { 2 } else { 0 };
+    }
     let same = edge.iter().filter(|h| along(h)).count();
     same.abs_diff(edge.len() - same)
 }

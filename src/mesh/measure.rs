@@ -28,14 +28,20 @@ pub(super) fn corners(vertices: &[Vec3], t: &Triangle) -> [Vec3; 3] {
     t.vertices.map(|v| vertices[v as usize])
 }
 
-/// Signed volume of the cone from `apex` over a triangle.
-pub(super) fn cone([a, b, c]: [Vec3; 3], apex: Vec3) -> f64 {
-    (a - apex).dot((b - apex).cross(c - apex)) / 6.0
+/// Area of a triangle, and signed volume of the cone from `apex` over it.
+pub(super) fn area_and_cone([a, b, c]: [Vec3; 3], apex: Vec3) -> (f64, f64) {
+    let cross = (b - a).cross(c - a);
+    (0.5 * length(cross), (a - apex).dot(cross) * (1.0 / 6.0))
 }
 
 /// Area of a triangle.
 pub(super) fn area([a, b, c]: [Vec3; 3]) -> f64 {
     0.5 * length((b - a).cross(c - a))
+}
+
+/// Signed volume of the cone from `apex` over a triangle.
+pub(super) fn cone([a, b, c]: [Vec3; 3], apex: Vec3) -> f64 {
+    (a - apex).dot((b - a).cross(c - a)) * (1.0 / 6.0)
 }
 
 /// Signed volume by the divergence theorem about `apex`: of a closed surface, whatever the apex is.

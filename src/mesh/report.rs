@@ -3,7 +3,7 @@
 
 use super::edges::{Edges, excess};
 use super::faces::{Faces, Sets, filled};
-use super::measure::{Sum, area, corners, volume};
+use super::measure::{Sum, area_and_cone, corners};
 use super::{Report, Surface, Triangle};
 use crate::error::Result;
 use crate::math::Vec3;
@@ -33,6 +33,13 @@ impl Report {
         Ok(())
     }
 
+    /// One closed component, two-sided, every edge with two faces that agree.
+    pub(super) fn is_one_clean_shell(&self) -> bool {
+        self.components == 1
+            && self.duplicate_faces == 0
+            && self.boundary_edges + self.nonmanifold_edges + self.inconsistent_edges == 0
+    }
+
     /// Volume, area, and the faces of zero area.
     pub(super) fn measure(
         &mut self,
@@ -42,15 +49,17 @@ impl Report {
         center: Vec3,
     ) -> Result<()> {
         let mut flat = filled("faces", faces.len(), true)?;
-        let mut total = Sum::default();
+        let (mut total, mut enclosed) = (Sum::default(), Sum::default());
         for t in triangles {
             let [a, b, c] = corners(vertices, t);
-            total.add(area([a, b, c]));
+            let (area, cone) = area_and_cone([a, b, c], center);
+            total.add(area);
+            enclosed.add(cone);
             let flat = &mut flat[t.face as usize];
             *flat = *flat && polygon::are_collinear(a, b, c);
         }
         self.area = total.value();
-        self.volume = volume(vertices, triangles, center);
+        self.volume = enclosed.value();
         self.degenerate_faces += flat.iter().filter(|f| **f).count();
         Ok(())
     }

@@ -5,7 +5,7 @@
 //! whose side is about half the tolerance: all of one cell are near, and the rest are within two cells.
 
 use super::faces::{Sets, filled};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Vec3, length};
 
 /// Not used by any face.
@@ -20,36 +20,47 @@ pub(super) struct Welded {
 
 /// Welds the used vertices with equal positions. `positions` hold no -0.0.
 pub(super) fn weld_equal(positions: &[Vec3], used: &[bool]) -> Result<Welded> {
-    let count = used.iter().filter(|u| **u).count();
-    let size = (2 * count).next_power_of_two();
-    let mut table = filled("hash slots", size, UNUSED)?;
     let mut welded = Welded { vertices: Vec::new(), of: filled("vertices", positions.len(), UNUSED)? };
+    let mut table = filled("hash slots", 1 << 10, UNUSED)?;
     for (i, &p) in positions.iter().enumerate().filter(|(i, _)| used[*i]) {
-        let mut slot = hash(p) as usize & (size - 1);
-        welded.of[i] = loop {
-            match table[slot] {
-                UNUSED => {
-                    let new = welded.vertices.len() as u32;
-                    welded.vertices.try_reserve(1).map_err(|_| crate::Error::memory("vertices", count))?;
-                    welded.vertices.push(p);
-                    table[slot] = new;
-                    break new;
-                }
-                v if welded.vertices[v as usize] == p => break v,
-                _ => slot = (slot + 1) & (size - 1),
+        let slot = find(&table, &welded.vertices, p);
+        if table[slot] == UNUSED {
+            table[slot] = welded.vertices.len() as u32;
+            welded.vertices.try_reserve(1).map_err(|_| Error::memory("vertices", positions.len()))?;
+            welded.vertices.push(p);
+        }
+        welded.of[i] = table[slot];
+        // Growing with what is found, not with what is given, keeps the table small enough for a cache.
+        if 2 * welded.vertices.len() > table.len() {
+            table = filled("hash slots", 4 * table.len(), UNUSED)?;
+            for (v, &q) in welded.vertices.iter().enumerate() {
+                let slot = find(&table, &welded.vertices, q);
+                table[slot] = v as u32;
             }
-        };
+        }
     }
     Ok(welded)
 }
 
-/// A mixer in the manner of MurmurHash3.
+/// The slot of the vertex at `p`, or the free one where it belongs. The size is a power of two.
+fn find(table: &[u32], vertices: &[Vec3], p: Vec3) -> usize {
+    let mask = table.len() - 1;
+    let mut slot = hash(p) as usize & mask;
+    while table[slot] != UNUSED && vertices[table[slot] as usize] != p {
+        slot = (slot + 1) & mask;
+    }
+    slot
+}
+
+/// Multiplies each coordinate, then mixes as MurmurHash3 does. Coordinates read from f32 end in zeros, so
+/// their upper halves are folded down first.
 fn hash(p: Vec3) -> u64 {
-    let mix = |h: u64| {
-        let h = (h ^ (h >> 32)).wrapping_mul(0xff51_afd7_ed55_8ccd);
-        (h ^ (h >> 29)).wrapping_mul(0xc4ce_b9fe_1a85_ec53)
-    };
-    let h = mix(mix(mix(p.x.to_bits()) ^ p.y.to_bits()) ^ p.z.to_bits());
+    let fold = |x: f64| x.to_bits() ^ (x.to_bits() >> 32);
+    let h = fold(p.x)
+        .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        .wrapping_add(fold(p.y).wrapping_mul(0xff51_afd7_ed55_8ccd))
+        .wrapping_add(fold(p.z).wrapping_mul(0xc4ce_b9fe_1a85_ec53));
+    let h = (h ^ (h >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
     h ^ (h >> 32)
 }
 

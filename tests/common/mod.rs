@@ -52,7 +52,7 @@ impl Soup {
     }
 
     /// `f` of every vertex.
-    pub fn map(&self, f: impl Fn([f64; 3]) -> [f64; 3]) -> Soup {
+    pub fn map(&self, mut f: impl FnMut([f64; 3]) -> [f64; 3]) -> Soup {
         Soup { vertices: self.vertices.iter().map(|&p| f(p)).collect(), triangles: self.triangles.clone() }
     }
 
