@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Closed-form problems, one a file. Allocate nothing, know nothing of meshes.
 
+pub(crate) mod contact;
 pub(crate) mod crossing;
 pub(crate) mod cuboid;
 pub(crate) mod polygon;

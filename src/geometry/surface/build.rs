@@ -1,141 +1,27 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! From a mesh to a surface: which sign it can have, the hierarchy, and the check of every pseudonormal
-//! against exact crossings.
+//! From a mesh to a surface: which sign it can have, and the hierarchy.
 
 use super::{Block, Corners, Sign, Surface};
 use crate::bvh::{Leaves, Tree};
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
-use crate::math::{Aabb, Vec3, unit};
+use crate::math::Aabb;
 use crate::mesh::Mesh;
 use crate::parallel::Run;
 use crate::primitive::triangle::Prepared;
 use crate::simd::lanes::WIDTH;
-use std::collections::HashSet;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-
-/// Triangles checked per chunk of work.
-const CHUNK: usize = 1024;
 
 impl Surface {
-    /// Builds the distance to a mesh. O(n log n), plus, for a signed one, two crossing counts an edge and
-    /// a vertex.
+    /// Builds the distance to a mesh. O(n log n), the check that it does not pass through itself included.
     pub(crate) fn new(mesh: &Mesh, options: &SdfOptions, run: &Run) -> Result<Surface> {
         let sign = choose_sign(mesh, options)?;
         let mut surface = assemble(mesh, options.accelerator != Accelerator::None, sign)?;
         if surface.sign == Sign::Pseudonormal {
-            surface.distrust_flat_triangles();
-            surface.check_pseudonormals(options.sign, run)?;
+            surface.distrust_unclear_normals(mesh);
+            surface.check_embedding(options.sign, run)?;
         }
         Ok(surface)
     }
-
-    /// Pseudonormals at a triangle without area say nothing of the surface beyond it: crossings decide
-    /// there.
-    fn distrust_flat_triangles(&mut self) {
-        let mut edges = HashSet::new();
-        for t in 0..self.triangles.len() {
-            if self.normal(t as u32) == Vec3::ZERO {
-                let v = self.triangles[t].vertex;
-                for k in 0..3 {
-                    self.vertex_normals[v[k] as usize] = Vec3::ZERO;
-                    edges.insert(undirected(v[k], v[(k + 1) % 3]));
-                }
-            }
-        }
-        if edges.is_empty() {
-            return;
-        }
-        for (t, normals) in self.triangles.iter().zip(&mut self.edge_normals) {
-            for (k, normal) in normals.iter_mut().enumerate() {
-                if edges.contains(&undirected(t.vertex[k], t.vertex[(k + 1) % 3])) {
-                    *normal = Vec3::ZERO;
-                }
-            }
-        }
-    }
-
-    /// Just outside and just inside each edge and vertex, along its pseudonormal, the winding number must
-    /// be 0 and 1. Anything else than these two says that the surface passes through itself, and then
-    /// exact crossings decide everywhere. (At a saddle a vertex pseudonormal may rightly point into the
-    /// body; such a vertex alone is left to the crossings.)
-    fn check_pseudonormals(&mut self, asked: SignMethod, run: &Run) -> Result<()> {
-        let faults = AtomicUsize::new(0);
-        let vertex_is_clear: Vec<AtomicBool> = self.vertices.iter().map(|_| AtomicBool::new(true)).collect();
-        let surface = &*self;
-        let mut first = vec![u32::MAX; surface.vertices.len()];
-        for (t, corners) in surface.triangles.iter().enumerate().rev() {
-            corners.vertex.iter().for_each(|&v| first[v as usize] = t as u32);
-        }
-        run.for_each_chunk(surface.triangles.len().div_ceil(CHUNK), &|chunk| {
-            let last = surface.triangles.len().min((chunk + 1) * CHUNK);
-            for t in chunk * CHUNK..last {
-                faults.fetch_add(surface.check_triangle(t, &first, &vertex_is_clear), Ordering::Relaxed);
-            }
-            Ok(())
-        })?;
-        let faults = faults.into_inner();
-        if faults == 0 {
-            for (normal, clear) in self.vertex_normals.iter_mut().zip(vertex_is_clear) {
-                if !clear.into_inner() {
-                    *normal = Vec3::ZERO;
-                }
-            }
-            return Ok(());
-        }
-        if asked == SignMethod::Pseudonormal {
-            return Err(Error::new(
-                Status::Topology,
-                format!(
-                    "options.sign: PSEUDONORMAL, but the surface passes through itself: pseudonormals disagree with exact crossings {faults} times; use AUTO or RAY"
-                ),
-            ));
-        }
-        self.sign = Sign::Crossings;
-        Ok(())
-    }
-
-    /// Checks the edges of a triangle that run to a higher vertex, and the vertices it is the first triangle of.
-    fn check_triangle(&self, t: usize, first: &[u32], vertex_is_clear: &[AtomicBool]) -> usize {
-        let corners = self.corners(t as u32);
-        let vertex = self.triangles[t].vertex;
-        let mut faults = 0;
-        let shortest = (0..3).map(|k| (corners[(k + 1) % 3] - corners[k]).length()).fold(f64::INFINITY, f64::min);
-        let largest = corners.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
-        // Small beside the features, large beside the rounding of the coordinates.
-        let step = (1e-4 * shortest).max(64.0 * f64::EPSILON * largest);
-        for k in 0..3 {
-            let next = (k + 1) % 3;
-            if vertex[k] < vertex[next] {
-                let (outer, inner) = self.sides(corners[k] * 0.5 + corners[next] * 0.5, self.edge_normals[t][k], step);
-                faults += usize::from((outer, inner) != (0, 1));
-            }
-            if first[vertex[k] as usize] != t as u32 {
-                continue;
-            }
-            let normal = self.vertex_normals[vertex[k] as usize];
-            let (outer, inner) = self.sides(corners[k], normal, step);
-            if !(0..=1).contains(&outer) || !(0..=1).contains(&inner) {
-                faults += 1;
-            } else if (outer, inner) != (0, 1) {
-                vertex_is_clear[vertex[k] as usize].store(false, Ordering::Relaxed);
-            }
-        }
-        faults
-    }
-
-    /// Winding numbers a step outward and a step inward; (0, 1) where there is no normal to check.
-    fn sides(&self, at: Vec3, normal: Vec3, step: f64) -> (i32, i32) {
-        let along = unit(normal) * step;
-        if along == Vec3::ZERO {
-            return (0, 1);
-        }
-        (self.winding(at + along), self.winding(at - along))
-    }
-}
-
-fn undirected(a: u32, b: u32) -> (u32, u32) {
-    (a.min(b), a.max(b))
 }
 
 /// The sign the options ask for and the mesh can have.

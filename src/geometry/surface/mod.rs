@@ -3,6 +3,7 @@
 //! hierarchy, and what the sign needs. Index-based arrays only.
 
 mod build;
+mod check;
 mod crossings;
 mod nearest;
 mod sign;
