@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+/// @file
+/// Surface meshes: from files, from memory, from the caller's arrays.
+#ifndef EMBOUND_MESH_HPP
+#define EMBOUND_MESH_HPP
+
+#include "run.hpp"
+#include "views.hpp"
+
+#include <memory>
+#include <string>
+
+namespace embound {
+
+/// What to do about the orientation of faces.
+enum class Orient : std::int32_t {
+    Auto = EMB_ORIENT_AUTO, ///< Made consistent and outward.
+    Keep = EMB_ORIENT_KEEP, ///< As given: solvers that mean internal flow keep inward normals.
+    Flip = EMB_ORIENT_FLIP  ///< Every face turned over, nothing else.
+};
+
+/// How vertices and faces become a mesh: a point p of the input becomes
+/// shift + scale * rotation * p, in double, before welding.
+struct MeshOptions {
+    double scale = 1.0;                   ///< Uniform, > 0.
+    Matrix rotation = identity;           ///< Row major.
+    Point shift{0.0, 0.0, 0.0};           ///< After scale and rotation.
+    double weld_tolerance = 0.0;          ///< Nearer vertices become one, as a part of the diagonal; 0: equal positions.
+    Orient orient = Orient::Auto;         ///< Orientation.
+    std::int32_t format = EMB_FORMAT_DETECT; ///< EMB_FORMAT_DETECT: found by content.
+    std::int32_t index_base = 0;          ///< First index of index arrays: 0 or 1.
+
+    /// As the C functions take them.
+    emb_mesh_options c() const {
+        emb_mesh_options options;
+        check(emb_mesh_options_init(&options, sizeof options));
+        options.scale = scale;
+        std::copy(rotation.begin(), rotation.end(), options.rotation);
+        std::copy(shift.begin(), shift.end(), options.shift);
+        options.weld_tolerance = weld_tolerance;
+        options.orient = static_cast<std::int32_t>(orient);
+        options.format = format;
+        options.index_base = index_base;
+        return options;
+    }
+};
+
+/// A polygon mesh: immutable, so any number of threads may use one at once. A copy is another
+/// handle on the same mesh. A moved-from mesh is only good for assignment and destruction.
+class Mesh {
+public:
+    /// Adopts a handle of the C functions.
+    explicit Mesh(emb_mesh *mesh) : handle_(mesh, emb_mesh_free) {}
+
+    /// Reads a file; the format is found by its content. Error: EMB_ERROR_IO where it cannot be
+    /// read, EMB_ERROR_PARSE naming the offset or line where it is not what its format asks for.
+    static Mesh read(const std::string &path, const MeshOptions &options = {}, const Run &run = {}) {
+        const emb_mesh_options c = options.c();
+        return from(run, [&](const emb_run *r, emb_mesh **out) { return emb_mesh_read(path.c_str(), &c, r, out); });
+    }
+
+    /// Reads the content of a file from memory: `size` bytes, not kept.
+    static Mesh read_memory(const void *bytes, std::size_t size, const MeshOptions &options = {}, const Run &run = {}) {
+        const emb_mesh_options c = options.c();
+        return from(run, [&](const emb_run *r, emb_mesh **out) { return emb_mesh_read_memory(bytes, size, &c, r, out); });
+    }
+
+    /// Triangles: `xyz` holds x y z of each vertex, `indices` three vertices for each triangle,
+    /// counterclockwise seen from outside, `tags` one number for each triangle or nothing.
+    static Mesh from_triangles(Span<const double> xyz, Span<const std::uint32_t> indices, Span<const std::int32_t> tags = {},
+                               const MeshOptions &options = {}) {
+        const std::size_t vertices = thirds("xyz", xyz.size());
+        const std::size_t triangles = thirds("indices", indices.size());
+        const std::int32_t *tag = detail::wanted("tags", tags, triangles);
+        const emb_mesh_options c = options.c();
+        return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) {
+            return emb_mesh_from_triangles(vertices, xyz.data(), triangles, indices.data(), tag, &c, out);
+        }));
+    }
+
+    /// Triangles with vertices in f32.
+    static Mesh from_triangles(Span<const float> xyz, Span<const std::uint32_t> indices, Span<const std::int32_t> tags = {},
+                               const MeshOptions &options = {}) {
+        const std::size_t vertices = thirds("xyz", xyz.size());
+        const std::size_t triangles = thirds("indices", indices.size());
+        const std::int32_t *tag = detail::wanted("tags", tags, triangles);
+        const emb_mesh_options c = options.c();
+        return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) {
+            return emb_mesh_from_triangles_f32(vertices, xyz.data(), triangles, indices.data(), tag, &c, out);
+        }));
+    }
+
+    /// Planar polygons: face f has the vertices indices[offsets[f]] to indices[offsets[f + 1] - 1].
+    static Mesh from_polygons(Span<const double> xyz, Span<const std::size_t> offsets, Span<const std::uint32_t> indices,
+                              Span<const std::int32_t> tags = {}, const MeshOptions &options = {}) {
+        const std::size_t vertices = thirds("xyz", xyz.size());
+        if (offsets.empty() || offsets[offsets.size() - 1] != indices.size()) {
+            throw Error(EMB_ERROR_INVALID_ARGUMENT,
+                        "offsets: the last is not the " + std::to_string(indices.size()) + " of indices");
+        }
+        const std::size_t faces = offsets.size() - 1;
+        const std::int32_t *tag = detail::wanted("tags", tags, faces);
+        const emb_mesh_options c = options.c();
+        return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) {
+            return emb_mesh_from_polygons(vertices, xyz.data(), faces, offsets.data(), indices.data(), tag, &c, out);
+        }));
+    }
+
+    /// Writes a file of the format its extension names.
+    void write(const std::string &path) const { check(emb_mesh_write(get(), path.c_str())); }
+
+    /// What the mesh was like as read, before repair: counts, volume, area, bounds.
+    emb_mesh_report report() const {
+        emb_mesh_report report{};
+        report.struct_size = sizeof report;
+        check(emb_mesh_report_get(get(), &report));
+        return report;
+    }
+
+    /// Lends the handle: valid as long as a copy of this mesh is.
+    const emb_mesh *get() const noexcept { return handle_.get(); }
+
+private:
+    template <class Create> static Mesh from(const Run &run, Create &&create) {
+        emb_mesh *mesh = nullptr;
+        detail::call(run, [&](const emb_run *r) { return create(r, &mesh); });
+        return Mesh(mesh);
+    }
+
+    static std::size_t thirds(const char *name, std::size_t size) {
+        if (size % 3 != 0) {
+            throw Error(EMB_ERROR_INVALID_ARGUMENT, std::string(name) + ": " + std::to_string(size) + " is not a multiple of 3");
+        }
+        return size / 3;
+    }
+
+    std::shared_ptr<emb_mesh> handle_;
+};
+
+} // namespace embound
+
+#endif
