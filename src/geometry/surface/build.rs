@@ -80,10 +80,11 @@ fn assemble(mesh: &Mesh, accelerated: bool, sign: Sign) -> Result<Surface> {
         let (tree, leaves) = Tree::build(&boxes)?;
         (Some(tree), leaves)
     } else {
-        (None, in_order(triangles.len()))
+        (None, in_order(triangles.len())?)
     };
     let mut blocks = try_with_capacity("blocks", leaves.start.len())?;
-    let mut places = vec![0u32; triangles.len()];
+    let mut places = try_with_capacity("places", triangles.len())?;
+    places.resize(triangles.len(), 0u32);
     for leaf in leaves.start.windows(2) {
         let members: Vec<_> = leaves.order[leaf[0] as usize..leaf[1] as usize]
             .iter()
@@ -96,21 +97,21 @@ fn assemble(mesh: &Mesh, accelerated: bool, sign: Sign) -> Result<Surface> {
     }
     let bounds = Aabb::of((0..triangles.len()).flat_map(corners));
     let normals = mesh.pseudonormals()?;
+    let mut laid_out = try_with_capacity("triangles", triangles.len())?;
+    laid_out.extend(triangles.iter().zip(places).map(|(t, place)| Corners {
+        vertex: t.vertices,
+        face: t.face,
+        tag: mesh.tag(t.face),
+        place,
+        turned: t.turned,
+    }));
+    let mut positions = try_with_capacity("vertices", vertices.len())?;
+    positions.extend_from_slice(vertices);
     Ok(Surface {
         blocks,
         tree,
-        vertices: vertices.to_vec(),
-        triangles: triangles
-            .iter()
-            .zip(places)
-            .map(|(t, place)| Corners {
-                vertex: t.vertices,
-                face: t.face,
-                tag: mesh.tag(t.face),
-                place,
-                turned: t.turned,
-            })
-            .collect(),
+        vertices: positions,
+        triangles: laid_out,
         edge_normals: normals.edge,
         vertex_normals: normals.vertex,
         bounds,
@@ -121,7 +122,9 @@ fn assemble(mesh: &Mesh, accelerated: bool, sign: Sign) -> Result<Surface> {
 }
 
 /// Leaves of a surface without hierarchy.
-fn in_order(count: usize) -> Leaves {
+fn in_order(count: usize) -> Result<Leaves> {
+    let mut order = try_with_capacity("triangles", count)?;
+    order.extend(0..count as u32);
     let start = (0..=count.div_ceil(WIDTH)).map(|k| (k * WIDTH).min(count) as u32).collect();
-    Leaves { order: (0..count as u32).collect(), start }
+    Ok(Leaves { order, start })
 }

@@ -7,7 +7,7 @@
 //! piece.
 
 use super::{Sign, Surface};
-use crate::error::{Error, Result, Status};
+use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
 use crate::mesh::Mesh;
@@ -58,7 +58,7 @@ impl Surface {
             Some((t, s)) => {
                 format!("faces {} and {} meet where they share no edge or vertex", self.face(t), self.face(s))
             }
-            None => match self.first_misplaced_piece() {
+            None => match self.first_misplaced_piece()? {
                 Some(t) => format!("the piece of face {} lies inside another, or is inside out", self.face(t)),
                 None => return Ok(()),
             },
@@ -125,8 +125,9 @@ impl Surface {
     }
 
     /// The first triangle of the first connected piece whose two sides are not outside and inside.
-    fn first_misplaced_piece(&self) -> Option<u32> {
-        let mut root: Vec<u32> = (0..self.vertices.len() as u32).collect();
+    fn first_misplaced_piece(&self) -> Result<Option<u32>> {
+        let mut root: Vec<u32> = try_with_capacity("vertices", self.vertices.len())?;
+        root.extend(0..self.vertices.len() as u32);
         for t in &self.triangles {
             for k in 1..3 {
                 let (a, b) = (find(&mut root, t.vertex[0]), find(&mut root, t.vertex[k]));
@@ -134,11 +135,11 @@ impl Surface {
             }
         }
         let mut seen = HashSet::new();
-        (0..self.triangles.len() as u32).find(|&t| {
+        Ok((0..self.triangles.len() as u32).find(|&t| {
             let normal = self.normal(t);
             let piece = find(&mut root, self.triangles[t as usize].vertex[0]);
             normal != Vec3::ZERO && seen.insert(piece) && !self.sides_are_right(t, normal)
-        })
+        }))
     }
 
     fn sides_are_right(&self, t: u32, normal: Vec3) -> bool {
