@@ -53,7 +53,7 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
         Orient::Keep => filled("faces", faces.len(), false)?,
         Orient::Flip => filled("faces", faces.len(), true)?,
         // The rule of orient.rs without the work, for what most files hold.
-        Orient::Auto if report.is_one_clean_shell() => filled("faces", faces.len(), report.inside_out)?,
+        Orient::Auto if report.is_one_consistent_sheet() => filled("faces", faces.len(), report.inside_out)?,
         Orient::Auto => orient::outward(&Parts {
             vertices: &vertices,
             faces: &faces,

@@ -33,11 +33,9 @@ impl Report {
         Ok(())
     }
 
-    /// One closed component, two-sided, every edge with two faces that agree.
-    pub(super) fn is_one_clean_shell(&self) -> bool {
-        self.components == 1
-            && self.duplicate_faces == 0
-            && self.boundary_edges + self.nonmanifold_edges + self.inconsistent_edges == 0
+    /// One component, without copies, of which no edge has more than two faces and all faces agree.
+    pub(super) fn is_one_consistent_sheet(&self) -> bool {
+        self.components == 1 && self.duplicate_faces + self.nonmanifold_edges + self.inconsistent_edges == 0
     }
 
     /// Volume, area, and the faces of zero area.

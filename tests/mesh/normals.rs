@@ -2,6 +2,7 @@
 //! Pseudonormals.
 
 use super::*;
+use embound::math::cross_of_differences;
 
 #[test]
 fn those_of_a_cube_point_to_its_faces_edges_and_corners() {
@@ -73,4 +74,21 @@ fn they_are_the_same_at_every_scale_and_for_slivers() {
     let [a, b, c] = mesh.triangles()[0].corners(mesh.vertices());
     assert!((n.length() - 1.0).abs() < 1e-15);
     assert!(n.dot(b - a).abs() < 1e-15 && n.dot(c - a).abs() < 1e-15);
+}
+
+#[test]
+fn exactly_flat_triangles_are_found_where_arithmetic_leaves_a_residue() {
+    let mut random = Random(3);
+    let mut residues = 0;
+    for _ in 0..200 {
+        // Three points of one line through the origin, all coordinates exact.
+        let d = Vec3::from_array(std::array::from_fn(|_| random.below(1 << 25) as f64 + 1.0));
+        let [a, b, c] = [2f64.powi(-27), 1.0, 2f64.powi(-20)].map(|s| d * (s * (random.below(1 << 25) as f64 + 1.0)));
+        residues += usize::from(cross_of_differences(a, b, c) != Vec3::ZERO);
+        let soup = Soup { vertices: [a, b, c].map(|p| p.to_array()).to_vec(), triangles: vec![[0, 1, 2]] };
+        let mesh = soup.mesh();
+        assert_eq!(mesh.report().degenerate_faces, 1);
+        assert_eq!(mesh.pseudonormals().unwrap().triangle[0], Vec3::ZERO);
+    }
+    assert!(residues > 0, "otherwise this shows nothing");
 }

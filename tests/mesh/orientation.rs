@@ -163,6 +163,7 @@ fn a_box_with_a_wall_in_it_keeps_the_balance_it_has() {
     let mesh = walled.mesh();
     assert_eq!((mesh.surface().nonmanifold_edges, mesh.surface().unbalanced_edges), (4, 4));
     assert!(faces_kept(&mesh, &walled).into_iter().all(|k| k));
+    assert!(faces_kept(&walled.flipped().mesh(), &walled.flipped()).into_iter().all(|k| k), "it has no one outside");
     // Without the wall it is one shell; turned over it comes out right.
     assert_same_inside(&chambers.flipped().mesh(), &chambers);
 }

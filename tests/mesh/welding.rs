@@ -86,3 +86,16 @@ fn faces_that_welding_collapses_leave_and_the_rest_stays_closed() {
     assert_eq!(mesh.triangles()[0].face, 1);
     assert_eq!(mesh.triangles()[79].face, 80);
 }
+
+#[test]
+fn minus_zero_is_zero_whatever_the_shift() {
+    for zero in [0.0, -0.0] {
+        let mut body = bodies::unit_cube().unshared();
+        for p in body.vertices.iter_mut().step_by(2) {
+            *p = p.map(|c| if c == 0.0 { -0.0 } else { c });
+        }
+        let mesh = body.mesh_with(&options(|o| o.shift = [zero; 3]));
+        assert!(mesh.report().closed && mesh.vertices().len() == 8);
+        assert!(mesh.vertices().iter().all(|p| p.to_array().into_iter().all(|c| c.is_sign_positive())));
+    }
+}
