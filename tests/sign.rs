@@ -181,6 +181,15 @@ fn cubes_that_share_an_edge_are_signed_by_crossings() {
 }
 
 #[test]
+fn bodies_in_contact_keep_the_wall_between_them() {
+    let mut random = Random(28);
+    let soup = bodies::unit_cube().and(&bodies::unit_cube().translated([1.0, 0.0, 0.0]));
+    let g = build(&soup, SignMethod::Auto).unwrap();
+    assert_eq!(g.properties().primitives, 24);
+    assert!(assert_signs(&soup, &g, &points::all_kinds(&soup, 300, &mut random)) > 500);
+}
+
+#[test]
 fn signs_this_version_lacks_are_refused() {
     for sign in [SignMethod::Winding, SignMethod::Axis] {
         let error = build(&bodies::unit_cube(), sign).err().expect("refused");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! From checked vertices and faces to a mesh: place, weld, report, repair, orient.
 
-use super::edges::{Edges, turn_over};
+use super::edges::{Edges, excess, turn_over};
 use super::faces::{Faces, filled};
 use super::half_edge::HalfEdges;
 use super::orient::{self, Parts};
@@ -43,10 +43,9 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     (report.lo, report.hi) = (bounds.lo.to_array(), bounds.hi.to_array());
 
     let repeats = duplicates::find(&faces, vertices.len())?;
-    report.duplicate_faces = repeats.iter().filter(|r| **r).count();
+    report.duplicate_faces = repeats.either_way.iter().filter(|r| **r).count();
     if report.duplicate_faces > 0 {
-        (faces, triangles) = duplicates::leave_out(&faces, &triangles, &repeats)?;
-        edges = Edges::of(vertices.len(), faces.half_edges())?;
+        (faces, triangles, edges) = without_repeats(&vertices, faces, triangles, &repeats)?;
         of_half_edge = faces.of_half_edges()?;
     }
     let turned = match options.orient {
@@ -74,6 +73,26 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     let surface = Surface::of(&faces, &edges, measure::volume(&vertices, &triangles, bounds.center()));
     let half_edges = HalfEdges::new(vertices.len(), faces, of_half_edge, &edges)?;
     Ok(Mesh { vertices, triangles, tags: input.tags, half_edges, report, surface })
+}
+
+/// Leaves out copies, whichever way they run, unless copies that run the other way are what closes the
+/// surface: the wall between two bodies in contact, given by each of them.
+fn without_repeats(
+    vertices: &[Vec3],
+    faces: Faces,
+    triangles: Vec<Triangle>,
+    repeats: &duplicates::Repeats,
+) -> Result<(Faces, Vec<Triangle>, Edges)> {
+    let (single, of_single) = duplicates::leave_out(&faces, &triangles, &repeats.either_way)?;
+    let edges = Edges::of(vertices.len(), single.half_edges())?;
+    if edges.iter().any(|edge| edge.len() != 2) {
+        let (walled, of_walled) = duplicates::leave_out(&faces, &triangles, &repeats.same_way)?;
+        let walled_edges = Edges::of(vertices.len(), walled.half_edges())?;
+        if walled_edges.iter().all(|edge| excess(&walled.corners, edge) == 0) {
+            return Ok((walled, of_walled, walled_edges));
+        }
+    }
+    Ok((single, of_single, edges))
 }
 
 fn place(positions: &mut [Vec3], options: &MeshOptions) -> Result<()> {

@@ -6,9 +6,17 @@ use super::faces::{Faces, filled, starts_from_counts};
 use crate::error::Result;
 use std::cmp::Ordering;
 
-/// Which faces repeat an earlier one: the same ring of vertices, from whichever corner and in either
-/// direction (for triangles: the same vertices). The lowest of each is not marked.
-pub(super) fn find(faces: &Faces, vertices: usize) -> Result<Vec<bool>> {
+/// Faces that repeat an earlier one: the same ring of vertices, from whichever corner (for triangles: the
+/// same vertices). The lowest of each is not marked.
+pub(super) struct Repeats {
+    /// Whichever way the earlier one runs.
+    pub either_way: Vec<bool>,
+    /// Where the earlier one runs the same way.
+    pub same_way: Vec<bool>,
+}
+
+/// Finds them in near linear time.
+pub(super) fn find(faces: &Faces, vertices: usize) -> Result<Repeats> {
     let lowest = |face: &[u32]| face.iter().copied().min().unwrap_or(0) as usize;
     let mut bucket = filled("vertices", vertices + 1, 0u32)?;
     for face in faces.iter() {
@@ -21,15 +29,20 @@ pub(super) fn find(faces: &Faces, vertices: usize) -> Result<Vec<bool>> {
         order[*slot as usize] = f as u32;
         *slot += 1;
     }
-    let mut repeats = filled("faces", faces.len(), false)?;
+    let mut repeats =
+        Repeats { either_way: filled("faces", faces.len(), false)?, same_way: filled("faces", faces.len(), false)? };
+    let forward = |f: u32| runs_forward(faces.face(f as usize));
     let compare = |f: &u32, g: &u32| compare_rings(faces.face(*f as usize), faces.face(*g as usize));
     let mut begin = 0;
     for &end in &bucket[..vertices] {
         let group = &mut order[begin..end as usize];
         if group.len() > 1 {
             group.sort_unstable_by(|f, g| compare(f, g).then(f.cmp(g)));
-            for pair in group.windows(2) {
-                repeats[pair[1] as usize] = compare(&pair[0], &pair[1]) == Ordering::Equal;
+            for copies in group.chunk_by(|f, g| compare(f, g) == Ordering::Equal) {
+                for (k, &copy) in copies.iter().enumerate().skip(1) {
+                    repeats.either_way[copy as usize] = true;
+                    repeats.same_way[copy as usize] = copies[..k].iter().any(|&f| forward(f) == forward(copy));
+                }
             }
         }
         begin = end as usize;
@@ -63,15 +76,25 @@ fn sorted([a, b, c]: [u32; 3]) -> [u32; 3] {
     [low.min(c), low.max(high.min(c)), high.max(c)]
 }
 
-/// The ring read from a corner and in a direction that depend on the ring alone: the least such reading.
+/// The ring read from a corner and in a direction that depend on the ring alone.
 fn canonical(ring: &[u32]) -> impl Iterator<Item = u32> {
+    let (from, step) = least_reading(ring);
+    (0..ring.len()).map(move |k| ring[(from + k * step) % ring.len()])
+}
+
+/// Which way a face runs through its ring.
+fn runs_forward(face: &[u32]) -> bool {
+    least_reading(face).1 == 1
+}
+
+/// The corner and the step of the least reading of a ring.
+fn least_reading(ring: &[u32]) -> (usize, usize) {
     let n = ring.len();
     let reading = move |from: usize, step: usize| (0..n).map(move |k| ring[(from + k * step) % n]);
     let lowest = ring.iter().min();
     let starts = (0..n).filter(move |&k| Some(&ring[k]) == lowest);
-    let best = starts
+    starts
         .flat_map(|from| [(from, 1), (from, n - 1)])
         .min_by(|&(p, s), &(q, t)| reading(p, s).cmp(reading(q, t)))
-        .unwrap_or((0, 1));
-    reading(best.0, best.1)
+        .unwrap_or((0, 1))
 }

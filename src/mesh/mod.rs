@@ -158,9 +158,10 @@ impl Mesh {
         &self.vertices
     }
 
-    /// Triangles of the surface as it stands: oriented, without exact duplicates (the lowest input face
-    /// stays) and without faces that welding left fewer than three corners; ordered by input face. Triangles
-    /// of zero area stay: the topology needs them.
+    /// Triangles of the surface as it stands: oriented, ordered by input face. Left out are faces that
+    /// welding left fewer than three corners, and copies (the lowest input face stays; the wall between two
+    /// bodies in contact, given by each of them, stays whole). Triangles of zero area stay: the topology
+    /// needs them.
     pub fn triangles(&self) -> &[Triangle] {
         &self.triangles
     }
