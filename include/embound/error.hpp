@@ -29,6 +29,7 @@ namespace embound {
 /// line that names the argument and the offending value or index.
 class EMBOUND_VISIBLE Error : public std::runtime_error {
 public:
+    /// An error of this status.
     Error(emb_status status, const std::string &message) : std::runtime_error(message), status_(status) {}
 
     /// One of EMB_ERROR_NULL_ARGUMENT ... EMB_ERROR_INTERNAL.

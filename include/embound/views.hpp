@@ -40,13 +40,14 @@ public:
     constexpr Span(T *data, std::size_t size) noexcept : data_(data), size_(size) {}
     /// A C array.
     template <std::size_t N> constexpr Span(T (&array)[N]) noexcept : data_(array), size_(N) {}
-    /// A contiguous container of T, or of what T is the const of.
+    /// A contiguous container of T, or of what T is the const of. A temporary may be shown where it
+    /// owns nothing (std::span) or is only read.
     template <class Container,
-              class Data = std::remove_pointer_t<decltype(std::declval<Container &>().data())>,
-              class = decltype(std::declval<Container &>().size()),
+              class Shown = std::conditional_t<std::is_lvalue_reference_v<Container>, Container, const Container &>,
+              class Data = std::remove_pointer_t<decltype(std::declval<Shown>().data())>,
+              class = decltype(std::declval<Shown>().size()),
               class = std::enable_if_t<std::is_convertible_v<Data (*)[], T (*)[]> &&
-                                       !std::is_same_v<std::remove_cv_t<std::remove_reference_t<Container>>, Span> &&
-                                       (std::is_lvalue_reference_v<Container> || std::is_const_v<T>)>>
+                                       !std::is_same_v<std::remove_cv_t<std::remove_reference_t<Container>>, Span>>>
     constexpr Span(Container &&container) : data_(container.data()), size_(container.size()) {}
 
     constexpr T *data() const noexcept { return data_; }             ///< The first element.

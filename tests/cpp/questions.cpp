@@ -6,8 +6,25 @@
 #include <cmath>
 #include <cstdint>
 #include <thread>
+#include <type_traits>
 
 namespace {
+
+// What std::span is like: it owns nothing, so a temporary may be written through.
+struct View {
+    double *first;
+    std::size_t count;
+    double *data() const { return first; }
+    std::size_t size() const { return count; }
+};
+
+using Doubles = std::vector<double>;
+static_assert(std::is_convertible_v<Doubles &, embound::Span<double>> && std::is_convertible_v<View, embound::Span<double>>);
+static_assert(std::is_convertible_v<Doubles, embound::Span<const double>>);
+static_assert(!std::is_convertible_v<Doubles, embound::Span<double>>, "results would be lost with the temporary");
+static_assert(!std::is_convertible_v<const Doubles &, embound::Span<double>>);
+static_assert(!std::is_convertible_v<Doubles, embound::Array> && std::is_convertible_v<View, embound::Array>);
+static_assert(!std::is_convertible_v<std::vector<float> &, embound::Points>);
 
 const double inf = std::numeric_limits<double>::infinity();
 
@@ -81,6 +98,9 @@ TEST(every_layout_of_points_has_the_same_bits) {
     CHECK(check::same_bits(g.values({points.size(), flat.data(), flat.data() + 1, flat.data() + 2, 3}), one_by_one));
     std::vector<double> out(points.size());
     g.values(embound::Span<const embound::Point>(points.data(), points.size()), out);
+    CHECK(check::same_bits(out, one_by_one));
+    out.assign(out.size(), 0.0);
+    g.values(points, View{out.data(), out.size()});
     CHECK(check::same_bits(out, one_by_one));
     CHECK(check::same_bits(g.fill(lattice), one_by_one));
     CHECK(check::same_bits(g.fill(lattice, embound::FillMode::Exact, embound::Pool(2)), one_by_one));
