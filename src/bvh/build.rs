@@ -32,6 +32,8 @@ struct Builder<'a> {
     order: Vec<u32>,
     tree: Tree,
     start: Vec<u32>,
+    /// Room for a partition, as long as `order`.
+    upper: Vec<u32>,
 }
 
 impl Tree {
@@ -44,7 +46,8 @@ impl Tree {
         let mut order: Vec<u32> = try_with_capacity("primitives", boxes.len())?;
         order.extend(0..boxes.len() as u32);
         let tree = Tree { nodes: Vec::new(), center: bounds.center(), diagonal: bounds.diagonal() };
-        let mut builder = Builder { boxes, order, tree, start: vec![0] };
+        let upper = try_with_capacity("primitives", boxes.len())?;
+        let mut builder = Builder { boxes, order, tree, start: vec![0], upper };
         builder.node(Run { from: 0, to: boxes.len(), bounds }, 0)?;
         Ok((builder.tree, Leaves { order: builder.order, start: builder.start }))
     }
@@ -64,15 +67,16 @@ impl Builder<'_> {
                 node.hi[axis][k] = hi[axis];
             }
             node.child[k] =
-                if part.count() <= LEAF_SIZE { self.leaf(part) | LEAF } else { self.node(part, depth + 1)? };
+                if part.count() <= LEAF_SIZE { self.leaf(part)? | LEAF } else { self.node(part, depth + 1)? };
         }
         self.tree.nodes[at] = node;
         Ok(at as u32)
     }
 
-    fn leaf(&mut self, run: Run) -> u32 {
+    fn leaf(&mut self, run: Run) -> Result<u32> {
+        self.start.try_reserve(1).map_err(|_| Error::memory("leaves", self.start.len()))?;
         self.start.push(run.to as u32);
-        (self.start.len() - 2) as u32
+        Ok((self.start.len() - 2) as u32)
     }
 
     /// Up to eight runs, in order: the largest one is split while there is room and need.
@@ -146,16 +150,23 @@ impl Builder<'_> {
         best.map(|(_, axis, bin)| (axis, bin))
     }
 
-    /// Moves the primitives of the lower bins to the front; where the upper ones begin.
+    /// Moves the primitives of the lower bins to the front, in their order; where the upper ones begin.
     fn partition(&mut self, run: Run, axis: usize, bin: f64) -> usize {
         let centroids = self.centroid_bounds(run);
         let (lo, width) = (centroids.lo[axis], (centroids.hi[axis] - centroids.lo[axis]) / BINS as f64);
-        let part = &self.order[run.from..run.to];
-        let is_lower = |k: &u32| (bin_of(self.boxes[*k as usize].center()[axis], lo, width) as f64) < bin;
-        let (mut lower, upper): (Vec<u32>, Vec<u32>) = part.iter().partition(|k| is_lower(k));
-        let middle = run.from + lower.len();
-        lower.extend(upper);
-        self.order[run.from..run.to].copy_from_slice(&lower);
+        let is_lower = |k: u32| (bin_of(self.boxes[k as usize].center()[axis], lo, width) as f64) < bin;
+        let mut middle = run.from;
+        self.upper.clear();
+        for at in run.from..run.to {
+            let k = self.order[at];
+            if is_lower(k) {
+                self.order[middle] = k;
+                middle += 1;
+            } else {
+                self.upper.push(k);
+            }
+        }
+        self.order[middle..run.to].copy_from_slice(&self.upper);
         middle
     }
 
