@@ -18,7 +18,7 @@ pub(super) fn elements<T>(name: &str, count: usize, each: usize) -> Result<usize
     count
         .checked_mul(each)
         .filter(|n| exists::<T>(*n))
-        .ok_or_else(|| Error::invalid(format!("{name}: {count} is more than memory can hold")))
+        .ok_or_else(|| Error::invalid(format!("{name}: {count} times {each} is more than memory can hold")))
 }
 
 /// The array at `data`, which may be NULL where `count` is 0. `count` came through [`elements`].
@@ -49,7 +49,14 @@ pub(super) unsafe fn points<'a, T: Copy + Into<f64> + Sync>(
     if stride == 0 {
         return Err(Error::invalid("stride: 0 is not at least 1"));
     }
-    let needed = if count == 0 { 0 } else { elements::<T>("count", count, stride)? - (stride - 1) };
+    let needed = match count.checked_sub(1) {
+        None => 0,
+        Some(last) => {
+            last.checked_mul(stride).and_then(|n| n.checked_add(1)).filter(|n| exists::<T>(*n)).ok_or_else(|| {
+                Error::invalid(format!("count, stride: {count} points {stride} apart are more than memory can hold"))
+            })?
+        }
+    };
     // SAFETY: the caller's promise.
     let axes = unsafe { [slice("x", x, needed)?, slice("y", y, needed)?, slice("z", z, needed)?] };
     Strided::new(count, axes, stride)

@@ -290,8 +290,13 @@ pub unsafe extern "C" fn emb_geom_place(
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_part(g: *const emb_geom, part: i32, out_geom: *mut *mut emb_geom) -> emb_status {
+    let build = || match part {
+        // SAFETY: a handle or NULL, as the header asks.
+        -1.. => unsafe { lend("g", g) }?.part(part),
+        _ => Err(Error::invalid(format!("part: {part} is not -1 or more"))),
+    };
     // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || lend("g", g)?.part(part)) }
+    unsafe { construct(out_geom, build) }
 }
 
 /// A user's function as a geometry. `value` is called with `user` in the floating-point environment of the thread

@@ -120,7 +120,7 @@ impl<T: Copy> Writer<T> {
         if stride.1 == 0 {
             return Err(Error::invalid(format!("{}: 0 is not at least 1", stride.0)));
         }
-        elements::<T>("count", count, stride.1)?;
+        elements::<T>(if stride.1 == 1 { "count" } else { stride.0 }, count, stride.1)?;
         Ok(Some(Writer { data, extent: [count, 1, 1], stride: [stride.1 as isize, 0, 0] }))
     }
 
@@ -177,7 +177,7 @@ fn check_strides<T>(name: &str, stride: [isize; 3], extent: [usize; 3]) -> Resul
     for a in axes.into_iter().filter(|a| extent[*a] > 1) {
         let step = stride[a].unsigned_abs();
         if step <= reach {
-            return Err(Error::invalid(format!("{name}.stride[{a}]: with {} two points share an element", stride[a])));
+            return Err(Error::invalid(format!("{name}.stride[{a}]: {} makes two points share an element", stride[a])));
         }
         let beyond = step.checked_mul(extent[a] - 1).and_then(|n| n.checked_add(reach));
         reach = beyond

@@ -6,6 +6,7 @@
 #![allow(dead_code)]
 
 pub mod bodies;
+pub mod native;
 pub mod points;
 pub mod random;
 pub mod stl_bytes;
