@@ -2,7 +2,7 @@
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
 use super::{Block, Corners, Sign, Surface};
-use crate::bvh::{Leaves, Tree};
+use crate::bvh::Tree;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
 use crate::math::Aabb;
@@ -15,10 +15,13 @@ impl Surface {
     /// Builds the distance to a mesh. O(n log n), the check that it does not pass through itself included.
     pub(crate) fn new(mesh: &Mesh, options: &SdfOptions, run: &Run) -> Result<Surface> {
         let sign = choose_sign(mesh, options)?;
-        let mut surface = assemble(mesh, options.accelerator != Accelerator::None, sign)?;
+        let mut surface = assemble(mesh, sign)?;
         if surface.sign == Sign::Pseudonormal {
             surface.distrust_unclear_normals(mesh);
             surface.check_embedding(options.sign, run)?;
+        }
+        if options.accelerator == Accelerator::None {
+            surface.tree = None;
         }
         Ok(surface)
     }
@@ -68,20 +71,15 @@ fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
 }
 
 /// Lays everything out; the sign is not checked yet.
-fn assemble(mesh: &Mesh, accelerated: bool, sign: Sign) -> Result<Surface> {
+fn assemble(mesh: &Mesh, sign: Sign) -> Result<Surface> {
     let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
     if triangles.is_empty() {
         return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
     }
     let corners = |t: usize| triangles[t].vertices.map(|v| vertices[v as usize]);
-    let (tree, leaves) = if accelerated {
-        let mut boxes = try_with_capacity("boxes", triangles.len())?;
-        boxes.extend((0..triangles.len()).map(|t| Aabb::of(corners(t))));
-        let (tree, leaves) = Tree::build(&boxes)?;
-        (Some(tree), leaves)
-    } else {
-        (None, in_order(triangles.len())?)
-    };
+    let mut boxes = try_with_capacity("boxes", triangles.len())?;
+    boxes.extend((0..triangles.len()).map(|t| Aabb::of(corners(t))));
+    let (tree, leaves) = Tree::build(&boxes)?;
     let mut blocks = try_with_capacity("blocks", leaves.start.len())?;
     let mut places = try_with_capacity("places", triangles.len())?;
     places.resize(triangles.len(), 0u32);
@@ -109,7 +107,7 @@ fn assemble(mesh: &Mesh, accelerated: bool, sign: Sign) -> Result<Surface> {
     positions.extend_from_slice(vertices);
     Ok(Surface {
         blocks,
-        tree,
+        tree: Some(tree),
         vertices: positions,
         triangles: laid_out,
         edge_normals: normals.edge,
@@ -119,12 +117,4 @@ fn assemble(mesh: &Mesh, accelerated: bool, sign: Sign) -> Result<Surface> {
         sign,
         far_winding: i32::from(sign != Sign::Unsigned && mesh.surface().volume < 0.0),
     })
-}
-
-/// Leaves of a surface without hierarchy.
-fn in_order(count: usize) -> Result<Leaves> {
-    let mut order = try_with_capacity("triangles", count)?;
-    order.extend(0..count as u32);
-    let start = (0..=count.div_ceil(WIDTH)).map(|k| (k * WIDTH).min(count) as u32).collect();
-    Ok(Leaves { order, start })
 }
