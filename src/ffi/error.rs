@@ -29,6 +29,12 @@ pub(super) fn quiet<R>(fallback: R, work: impl FnOnce() -> R) -> R {
     environment::enter(|| error::catch(|| Ok(work()))).unwrap_or(fallback)
 }
 
+/// [`quiet`] where no callback can be reached, which would have to run in the caller's environment.
+#[inline]
+pub(super) fn quiet_alone<R>(fallback: R, work: impl FnOnce() -> R) -> R {
+    environment::with_default(|| error::catch(|| Ok(work()))).unwrap_or(fallback)
+}
+
 /// The guard of entries that compute nothing: the environment stays the caller's.
 pub(super) fn plain<R>(fallback: R, work: impl FnOnce() -> R) -> R {
     error::catch(|| Ok(work())).unwrap_or(fallback)

@@ -20,13 +20,22 @@ pub(super) unsafe fn give<H: Handle>(out: *mut *mut H, target: H::Target) {
     unsafe { out.write(Arc::into_raw(Arc::new(target)).cast_mut().cast()) }
 }
 
+/// The thing behind a handle, if there is one.
+///
+/// # Safety
+/// `handle` is NULL or a handle that outlives `'a`.
+pub(super) unsafe fn peek<'a, H: Handle>(handle: *const H) -> Option<&'a H::Target> {
+    // SAFETY: a handle points to the target that `give` allocated.
+    unsafe { handle.cast::<H::Target>().as_ref() }
+}
+
 /// The thing behind a handle, or [`Status::NullArgument`] naming the argument.
 ///
 /// # Safety
 /// `handle` is NULL or a handle that outlives `'a`.
 pub(super) unsafe fn lend<'a, H: Handle>(name: &str, handle: *const H) -> Result<&'a H::Target> {
-    // SAFETY: a handle points to the target that `give` allocated.
-    unsafe { handle.cast::<H::Target>().as_ref() }.ok_or_else(|| null(name))
+    // SAFETY: the caller's promise.
+    unsafe { peek(handle) }.ok_or_else(|| null(name))
 }
 
 /// One more reference to the same thing; NULL for NULL.

@@ -3,17 +3,32 @@
 
 use super::arrays::{elements, numbers, points, slice};
 use super::constants::{EMB_FILL_BAND, EMB_FILL_EXACT, EMB_FILL_SIGN};
-use super::error::{emb_status, guard, quiet};
+use super::error::{emb_status, guard, quiet, quiet_alone};
 use super::geometry::emb_geom;
-use super::handle::lend;
+use super::handle::{lend, peek};
 use super::results::{ClosestWriter, CrossingsWriter, HitWriter, emb_closest_out, emb_crossings_out, emb_hit_out};
 use super::run::{emb_run, with_run};
 use super::versioned;
 use super::writer::{Integers, Numbers, Reals, Writer, emb_array, emb_lattice, lattice};
 use crate::error::{Error, Result};
+use crate::geometry::Geometry;
 use crate::math::{Aabb, Vec3, f32_same_sign};
 use crate::query::{self, FillMode};
 use std::ffi::c_void;
+
+/// A question about one point or box, which cannot fail: `fallback` for NULL. It must cost little, so the
+/// caller's environment is kept only for those who need it.
+///
+/// # Safety
+/// `g` is NULL or a handle.
+unsafe fn ask<R: Copy>(g: *const emb_geom, fallback: R, question: impl FnOnce(&Geometry) -> R) -> R {
+    // SAFETY: the caller's promise.
+    match unsafe { peek(g) } {
+        None => fallback,
+        Some(g) if g.has_functions() => quiet(fallback, || question(g)),
+        Some(g) => quiet_alone(fallback, || question(g)),
+    }
+}
 
 /// The value at a point, in units of length where the geometry is exact. It cannot fail: NaN for a coordinate
 /// that is not finite, for NULL and where a user's function failed; never -0. The thread's last message stays as it
@@ -21,15 +36,14 @@ use std::ffi::c_void;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_value(g: *const emb_geom, x: f64, y: f64, z: f64) -> f64 {
     // SAFETY: a handle or NULL, as the header asks.
-    quiet(f64::NAN, || unsafe { lend("g", g) }.map_or(f64::NAN, |g| g.value(Vec3::new(x, y, z))))
+    unsafe { ask(g, f64::NAN, |g| g.value(Vec3::new(x, y, z))) }
 }
 
 /// emb_geom_value as a float that keeps the sign: a nonzero value has a magnitude within [FLT_MIN, FLT_MAX].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_value_f32(g: *const emb_geom, x: f32, y: f32, z: f32) -> f32 {
-    let value = |g: &crate::geometry::Geometry| f32_same_sign(g.value(Vec3::new(x.into(), y.into(), z.into())));
     // SAFETY: a handle or NULL, as the header asks.
-    quiet(f32::NAN, || unsafe { lend("g", g) }.map_or(f32::NAN, value))
+    unsafe { ask(g, f32::NAN, |g| f32_same_sign(g.value(Vec3::new(x.into(), y.into(), z.into())))) }
 }
 
 /// emb_geom_value as an emb_value_fn, for solvers that take (function, user): `geom` is a const emb_geom *.
@@ -225,11 +239,12 @@ pub unsafe extern "C" fn emb_geom_intercepts(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_classify_box(g: *const emb_geom, lo: *const f64, hi: *const f64) -> i32 {
     // SAFETY: pointers as the header asks.
-    let classify = || unsafe {
-        let b = Aabb::new(Vec3::from(numbers::<3>("lo", lo)?), Vec3::from(numbers::<3>("hi", hi)?));
-        Ok::<_, Error>(query::classify_box(lend("g", g)?, b))
+    let corners = || unsafe { Ok::<_, Error>((numbers::<3>("lo", lo)?, numbers::<3>("hi", hi)?)) };
+    let Ok((lo, hi)) = corners() else {
+        return 0;
     };
-    quiet(0, || classify().unwrap_or(0))
+    // SAFETY: a handle or NULL, as the header asks.
+    unsafe { ask(g, 0, |g| query::classify_box(g, Aabb::new(Vec3::from(lo), Vec3::from(hi)))) }
 }
 
 /// emb_geom_classify_box of `count` boxes [lo[3i..3i+2], hi[3i..3i+2]]. Arrays may be NULL where count is 0.

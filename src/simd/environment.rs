@@ -6,7 +6,7 @@
 use std::cell::Cell;
 
 /// A saved control and status word.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Environment(u64);
 
 thread_local! {
@@ -14,8 +14,18 @@ thread_local! {
     static CALLER: Cell<Option<Environment>> = const { Cell::new(None) };
 }
 
-/// Restores the environment that it saved when dropped, so a panic restores it too.
+/// Restores the environment that it saved when dropped, so a panic restores it too. Writing the word
+/// costs several times what reading it does, and it rarely differs.
 struct Restore(Environment);
+
+impl Drop for Restore {
+    #[inline]
+    fn drop(&mut self) {
+        if current() != self.0 {
+            set(self.0);
+        }
+    }
+}
 
 /// Restores the caller that it saved when dropped.
 struct RestoreCaller(Option<Environment>);
@@ -23,12 +33,6 @@ struct RestoreCaller(Option<Environment>);
 impl Drop for RestoreCaller {
     fn drop(&mut self) {
         CALLER.set(self.0);
-    }
-}
-
-impl Drop for Restore {
-    fn drop(&mut self) {
-        set(self.0);
     }
 }
 
@@ -60,8 +64,14 @@ pub(crate) fn as_caller<R>(work: impl FnOnce() -> R) -> R {
 
 /// Runs `work` in the default environment (round to nearest, denormals kept, traps masked) and
 /// restores the present one.
+#[inline]
 pub(crate) fn with_default<R>(work: impl FnOnce() -> R) -> R {
-    with(DEFAULT, work)
+    let present = current();
+    let _restore = Restore(present);
+    if present.control() != DEFAULT.control() {
+        set(DEFAULT);
+    }
+    apart(work)
 }
 
 /// Runs `work` in `environment` and restores the present one.
@@ -77,11 +87,23 @@ fn apart<R>(work: impl FnOnce() -> R) -> R {
     work()
 }
 
+impl Environment {
+    /// All but the sticky flags.
+    #[inline]
+    fn control(self) -> u64 {
+        self.0 & !STICKY
+    }
+}
+
 #[cfg(target_arch = "x86_64")]
 const DEFAULT: Environment = Environment(0x1F80);
 
+#[cfg(target_arch = "x86_64")]
+const STICKY: u64 = 0x3F;
+
 /// The environment of this thread.
 #[cfg(target_arch = "x86_64")]
+#[inline]
 pub(crate) fn current() -> Environment {
     let mut word: u32 = 0;
     // SAFETY: stmxcsr stores 32 bits to the place given.
@@ -98,6 +120,9 @@ fn set(environment: Environment) {
 
 #[cfg(target_arch = "aarch64")]
 const DEFAULT: Environment = Environment(0);
+
+#[cfg(target_arch = "aarch64")]
+const STICKY: u64 = 0xFFFF_FFFF << 32;
 
 /// The environment of this thread: FPCR below, FPSR above.
 #[cfg(target_arch = "aarch64")]
