@@ -8,6 +8,7 @@
 //! classification. The C ABI in [`ffi`] is a thin layer over exactly this.
 
 pub mod error;
+#[allow(rustdoc::broken_intra_doc_links)] // cbindgen reads array lengths from what looks like links.
 pub mod ffi;
 pub mod geometry;
 pub mod io;

@@ -121,7 +121,7 @@ impl Builder<'_> {
         let mut best: Option<(f64, usize, f64)> = None;
         for axis in 0..3 {
             let width = extent[axis] / BINS as f64;
-            if !(width > 0.0) {
+            if width.is_nan() || width <= 0.0 {
                 continue;
             }
             let mut bins = [(0usize, Aabb::EMPTY); BINS];

@@ -31,7 +31,7 @@ impl Geometry {
     }
 
     /// The part whose value wins, the first of several.
-    pub(super) fn winner<'a>(parts: &'a [Geometry], p: Vec3, wins: fn(f64, f64) -> bool) -> Option<&'a Geometry> {
+    pub(super) fn winner(parts: &[Geometry], p: Vec3, wins: fn(f64, f64) -> bool) -> Option<&Geometry> {
         let mut best: Option<(f64, &Geometry)> = None;
         for part in parts {
             let value = part.raw_value(p);

@@ -49,7 +49,7 @@ fn touches_in_plane(a: Vec3, b: Vec3, t: [Vec3; 3]) -> bool {
         apart(turn * orient2d(from, to, a), turn * orient2d(from, to, b))
     });
     let sides = t.map(|c| orient2d(a, b, c));
-    !outside_an_edge && !(sides.iter().all(|s| *s < 0.0) || sides.iter().all(|s| *s > 0.0))
+    !(outside_an_edge || sides.iter().all(|s| *s < 0.0) || sides.iter().all(|s| *s > 0.0))
 }
 
 /// Whether the edge from `t[0]` to `b` runs within the plane of `t` and into it.
