@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Which faces to turn over so that a surface becomes consistent and outward.
 //!
-//! The rule of [`Orient::Auto`], after duplicate faces are gone:
+//! The rule of [`super::Orient::Auto`], after duplicate faces are gone:
 //! 1. Faces that share an edge of exactly two faces get the same orientation: the one that the larger part
 //!    of their area had. A patch is what such edges connect. One-sided patches stay as given.
 //! 2. Edges of more than two faces carry no orientation. Patches that such edges leave open and that meet
