@@ -338,9 +338,9 @@ typedef struct emb_geom_properties {
   int32_t sign_method;
   // |f(p) - f(q)| <= lipschitz * |p - q|; INFINITY where unknown.
   double lipschitz;
-  // Triangles and shapes.
+  // Triangles and shapes, a shared part as often as it is used.
   uint64_t primitives;
-  // Memory in bytes; what geometries share is counted in each.
+  // Memory in bytes, a shared part counted once.
   uint64_t bytes;
 } emb_geom_properties;
 
@@ -606,10 +606,9 @@ emb_status emb_geom_union(size_t count, const emb_geom *const *parts, emb_geom *
 // space. Otherwise as emb_geom_union.
 emb_status emb_geom_intersection(size_t count, const emb_geom *const *parts, emb_geom **out_geom);
 
-// The points of `from` that are not in `remove`; the surface of `remove` stays with the result. Errors: EMB_ERROR_NULL_ARGUMENT.
-emb_status emb_geom_difference(const emb_geom *from,
-                               const emb_geom *remove,
-                               emb_geom **out_geom);
+// The points of `from` that are not in `remove`: the greater of from's value and of minus remove's.
+// Errors: EMB_ERROR_NULL_ARGUMENT.
+emb_status emb_geom_difference(const emb_geom *from, const emb_geom *remove, emb_geom **out_geom);
 
 // The rest of space: 0 - value. A wall becomes the room in it. Errors: EMB_ERROR_NULL_ARGUMENT.
 emb_status emb_geom_complement(const emb_geom *g, emb_geom **out_geom);
@@ -696,7 +695,7 @@ emb_status emb_geom_values_f32(const emb_geom *g,
 // The closest point of the surface to each of `count` points, given as in emb_geom_values, with what is known
 // there. Where nothing is nearer than max_distance (INFINITY: no limit) the value is +-max_distance, ids are -1 and
 // vectors NaN. On a mesh ties go to the lowest face, so every accelerator and instruction set gives the same answer.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (max_distance NaN or not > 0), EMB_ERROR_UNSUPPORTED,
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (max_distance NaN or not > 0),
 // EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 emb_status emb_geom_closest(const emb_geom *g,
                             size_t count,

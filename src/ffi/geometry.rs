@@ -105,9 +105,9 @@ pub struct emb_geom_properties {
     pub sign_method: i32,
     /// |f(p) - f(q)| <= lipschitz * |p - q|; INFINITY where unknown.
     pub lipschitz: f64,
-    /// Triangles and shapes.
+    /// Triangles and shapes, a shared part as often as it is used.
     pub primitives: u64,
-    /// Memory in bytes; what geometries share is counted in each.
+    /// Memory in bytes, a shared part counted once.
     pub bytes: u64,
 }
 
@@ -240,7 +240,8 @@ unsafe fn parts(count: usize, parts: *const *const emb_geom) -> Result<Vec<Geome
     Ok(geometries)
 }
 
-/// The points of `from` that are not in `remove`; the surface of `remove` stays with the result. Errors: EMB_ERROR_NULL_ARGUMENT.
+/// The points of `from` that are not in `remove`: the greater of from's value and of minus remove's.
+/// Errors: EMB_ERROR_NULL_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_difference(
     from: *const emb_geom,
