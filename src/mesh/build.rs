@@ -11,9 +11,9 @@ use super::{Mesh, MeshOptions, Orient, Report, Surface, Triangle, duplicates, me
 use crate::error::{Error, Result, Status};
 use crate::math::{Aabb, Vec3};
 
-/// Beyond these the exact predicates overflow or underflow.
+/// Beyond these the exact predicates overflow, or lose the last digits of the coordinates to underflow.
 const LARGEST_COORDINATE: f64 = 1e100;
-const SMALLEST_DIAGONAL: f64 = 1e-100;
+const SMALLEST_DIAGONAL: f64 = 1e-90;
 
 /// Finite positions, faces whose corners are in range, a tag for each face or none at all.
 pub(crate) struct Input {

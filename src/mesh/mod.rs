@@ -122,7 +122,7 @@ impl Mesh {
     /// # Errors
     /// [`Status::InvalidArgument`](crate::Status) naming the argument and the value: an option out of its range, a
     /// length that is no multiple of three, no triangle at all, an index out of range, a coordinate that is
-    /// not finite or comes to lie beyond 1e100, a box whose diagonal is not above 1e-100, no triangle with
+    /// not finite or comes to lie beyond 1e100, a box whose diagonal is not above 1e-90, no triangle with
     /// three different corners, more than 2^32 - 2 vertices or 2^32 - 1 indices.
     /// [`Status::Memory`](crate::Status) where memory cannot be had.
     pub fn from_triangles(xyz: &[f64], indices: &[u32], tags: Option<&[i32]>, options: &MeshOptions) -> Result<Mesh> {
