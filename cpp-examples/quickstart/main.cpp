@@ -98,13 +98,10 @@ std::vector<embound::Point> scattered_points(const embound::Geometry &g, const G
     return points;
 }
 
-// The hierarchy must not change a bit: the same points once through it, once past every triangle. The
-// sign method is the one chosen already: choosing it again without the hierarchy takes minutes on
-// large meshes.
+// The hierarchy must not change a bit: the same points once through it, once past every triangle.
 void compare_with_brute_force(const embound::Mesh &mesh, const embound::Geometry &g, const Grid &grid) {
     embound::SdfOptions every_triangle;
     every_triangle.accelerator = embound::Accelerator::None;
-    every_triangle.sign = g.properties().sign_method;
     const embound::Geometry brute = embound::from_mesh(mesh, every_triangle);
     const std::vector<embound::Point> points = scattered_points(g, grid);
     embound::Closest fast, slow;
