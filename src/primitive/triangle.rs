@@ -34,12 +34,6 @@ impl<L: Lanes> V3<L> {
     }
 
     #[inline(always)]
-    fn cross(self, o: V3<L>) -> V3<L> {
-        let ([a, b, c], [d, e, f]) = (self.0, o.0);
-        V3([b * f - c * e, c * d - a * f, a * e - b * d])
-    }
-
-    #[inline(always)]
     fn select(mask: L::Mask, yes: V3<L>, no: V3<L>) -> V3<L> {
         V3([L::select(mask, yes.0[0], no.0[0]), L::select(mask, yes.0[1], no.0[1]), L::select(mask, yes.0[2], no.0[2])])
     }
@@ -63,7 +57,9 @@ pub(crate) struct Prepared<L> {
     pub(crate) corner: [V3<L>; 3],
     /// Unit normal; zero where the area is zero, and then the edges alone count.
     pub(crate) normal: V3<L>,
-    /// For each of the edges 0-1, 1-2, 2-0, one over its squared length.
+    /// For the edges 0-1, 1-2, 2-0: the direction in the plane that points inwards.
+    pub(crate) inward: [V3<L>; 3],
+    /// For each edge, one over its squared length.
     pub(crate) inverse: [L; 3],
 }
 
@@ -84,6 +80,7 @@ impl Prepared<f64> {
         Prepared {
             corner: [a, b, c].map(V3::from_vec),
             normal: V3::from_vec(normal),
+            inward: edges.map(|e| V3::from_vec(normal.cross(e))),
             inverse: edges.map(|e| {
                 let squared = e.dot(e);
                 if squared > 1e-290 { 1.0 / squared } else { 0.0 }
@@ -99,11 +96,10 @@ impl Prepared<f64> {
         match feature {
             0 => {
                 let normal = self.normal.to_vec();
-                let inward = |k: usize| normal.cross(corner[(k + 1) % 3] - corner[k]);
                 let point = p - normal * normal.dot(p - corner[0]);
                 // Height over each edge, relative to the height of the opposite corner.
                 for (k, w) in weights.iter_mut().enumerate() {
-                    let (from, inward) = (corner[(k + 1) % 3], inward((k + 1) % 3));
+                    let (from, inward) = (corner[(k + 1) % 3], self.inward[(k + 1) % 3].to_vec());
                     *w = ((point - from).dot(inward) / (corner[k] - from).dot(inward)).clamp(0.0, 1.0);
                 }
                 let sum = weights[0] + weights[1] + weights[2];
@@ -138,11 +134,10 @@ pub(crate) fn nearest<L: Lanes>(t: &Prepared<L>, p: V3<L>) -> Foot<L> {
     }
     let height = t.normal.dot(to[0]);
     let plane = height * height;
-    let left_of = |k: usize| {
-        let direction = t.corner[(k + 1) % 3].sub(t.corner[k]);
-        zero.lt(t.normal.cross(direction).dot(to[k]))
-    };
-    let over = L::and(L::and(left_of(0), left_of(1)), left_of(2));
+    let over = L::and(
+        L::and(zero.lt(t.inward[0].dot(to[0])), zero.lt(t.inward[1].dot(to[1]))),
+        zero.lt(t.inward[2].dot(to[2])),
+    );
     Foot {
         squared: L::select(over, plane, best.squared),
         feature: L::select(over, zero, best.feature),
@@ -177,6 +172,7 @@ mod tests {
         Prepared {
             corner: std::array::from_fn(|i| vector(&|t| t.corner[i])),
             normal: vector(&|t| t.normal),
+            inward: std::array::from_fn(|i| vector(&|t| t.inward[i])),
             inverse: std::array::from_fn(|i| F64x8(std::array::from_fn(|k| lanes[k].inverse[i]))),
         }
     }

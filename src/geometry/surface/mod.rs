@@ -165,6 +165,7 @@ impl Block {
             lanes: Prepared {
                 corner: std::array::from_fn(|i| vector(&|t| t.corner[i])),
                 normal: vector(&|t| t.normal),
+                inward: std::array::from_fn(|i| vector(&|t| t.inward[i])),
                 inverse: std::array::from_fn(|i| gather(&|t| t.inverse[i])),
             },
             triangle: std::array::from_fn(|k| triangles.get(k).map_or(NO_TRIANGLE, |t| t.0)),
@@ -177,6 +178,7 @@ impl Block {
         Prepared {
             corner: std::array::from_fn(|i| vector(&self.lanes.corner[i])),
             normal: vector(&self.lanes.normal),
+            inward: std::array::from_fn(|i| vector(&self.lanes.inward[i])),
             inverse: std::array::from_fn(|i| self.lanes.inverse[i].0[k]),
         }
     }
