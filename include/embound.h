@@ -352,11 +352,17 @@ typedef struct emb_closest_out {
   size_t struct_size;
   // The value at the point, the bits that emb_geom_value gives; +-max_distance where nothing is so near.
   double *value;
-  // The closest point of the surface; NaN where nothing is so near.
+  // The closest point of the surface; NaN where nothing is so near, and at a function that is not EMB_EXACT. In a
+  // composite it is the closest point of the part that decides the value: where the composite is EMB_LOWER_BOUND it
+  // may lie off the composite's surface (outside an intersection or a difference, inside a union). It lies on it
+  // where the value there, asked for with emb_geom_values, is zero to rounding.
   double *point[3];
-  // The unit gradient of the value there; NaN where nothing is so near.
+  // The gradient of the value: of length 1, and the outward normal on the surface; by centred differences, and
+  // not normalised, at a function. NaN where nothing is so near.
   double *gradient[3];
-  // Weights of the corners of the closest triangle, which sum to 1; NaN where there is no mesh.
+  // Weights of the corners of the closest triangle, which sum to 1, in the order in which the input gave them,
+  // whatever orientation did to the face; of a face of more than three corners, of the triangle it was cut into.
+  // NaN where there is no mesh.
   double *barycentric[3];
   // Elements from one vector to the next, at least 1 where a vector is wanted.
   size_t vector_stride;
@@ -366,7 +372,8 @@ typedef struct emb_closest_out {
   int32_t *part;
   // Tag of the input face; -1 where there is no mesh, or none so near.
   int32_t *tag;
-  // 0: the face's inside, 1 to 3: its edge, 4 to 6: its vertex, -1: not a mesh, or none so near.
+  // 0: the inside of the triangle; 1, 2, 3: its edge from corner 0 to 1, 1 to 2, 2 to 0; 4, 5, 6: its corner 0, 1, 2
+  // (corners as for barycentric); -1: not a mesh, or none so near.
   int32_t *feature;
 } emb_closest_out;
 
@@ -412,7 +419,7 @@ typedef struct emb_crossings_out {
   int32_t form;
   // EMB_ELSEWHERE_WRITE or EMB_ELSEWHERE_LEAVE.
   int32_t elsewhere;
-  // Written to `where` on edges that the surface does not cross; any double.
+  // Written to `where` on edges that the surface does not cross: set it, to NAN say, since 0 may be a crossing.
   double none;
   // The crossing: EMB_F64 or EMB_F32.
   emb_array where;
@@ -502,7 +509,7 @@ void emb_pool_free(emb_pool *pool);
 emb_status emb_mesh_options_init(emb_mesh_options *options, size_t size);
 
 // Reads a mesh from a file. The format is found from the content; this version reads STL, binary and ASCII,
-// all solids of a file together. `options` may be NULL; the calling thread tells `run` 0 before and 1 after.
+// all solids of a file together, each face with the number of its solid, from 0, as its tag. `options` may be NULL; the calling thread tells `run` 0 before and 1 after.
 // On success *out_mesh is the caller's, to be freed with emb_mesh_free.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_IO, EMB_ERROR_PARSE (truncated, empty,
 // coordinates that are not finite; the message names the offset or the line), EMB_ERROR_MEMORY,
@@ -617,7 +624,8 @@ emb_status emb_geom_complement(const emb_geom *g, emb_geom **out_geom);
 emb_status emb_geom_translate(const emb_geom *g, const double shift[3], emb_geom **out_geom);
 
 // The body placed rigidly: its point q comes to rotation * q + shift. `rotation` is row major and must be a
-// rotation. O(1), shares g: cheap enough for every time step of a moving body.
+// rotation to within 1e-9 (in each element of its transpose times itself; it is made one to rounding), so bring a
+// matrix that came from floats or was multiplied up over many steps back to one first. O(1), shares g: cheap enough for every time step of a moving body.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or not a rotation).
 emb_status emb_geom_place(const emb_geom *g,
                           const double rotation[9],
@@ -745,7 +753,8 @@ emb_status emb_geom_intercepts(const emb_geom *g,
 
 // Which side of the surface a closed box lies on: -1: the value is negative at every double of it, +1: positive at every
 // one, rounding included; 0: mixed, or not known, or NULL, NaN or lo > hi. lo = hi is legal. Never wrong, so a solver may
-// skip what it calls uniform. The thread's last message stays as it is. Any thread.
+// skip what it calls uniform; but 0 includes boxes that are merely near the surface (nearer than half their diagonal),
+// the more the longer and thinner they are. The thread's last message stays as it is. Any thread.
 int32_t emb_geom_classify_box(const emb_geom *g,
                               const double lo[3],
                               const double hi[3]);

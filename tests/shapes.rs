@@ -88,6 +88,10 @@ fn no_negative_zero_leaves_the_library() {
         assert_eq!(g.value(surface).to_bits(), 0.0f64.to_bits());
         assert_eq!(g.closest(surface).value.to_bits(), 0.0f64.to_bits());
     }
+    let middle = Geometry::cuboid([-1.0; 3], [1.0; 3]).unwrap().complement().unwrap().closest(Vec3::ZERO);
+    for v in [middle.point, middle.gradient] {
+        assert!(v.to_array().iter().all(|c| *c != 0.0 || c.is_sign_positive()), "{v:?}");
+    }
 }
 
 #[test]

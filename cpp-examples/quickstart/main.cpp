@@ -68,7 +68,8 @@ embound::Mesh load(int argc, char **argv, const std::filesystem::path &out) {
 void print(const emb_mesh_report &r) {
     std::printf("              %" PRIu64 " vertices, %" PRIu64 " faces, %" PRIu64 " triangles, %d component%s\n", r.vertices,
                 r.faces, r.triangles, r.components, r.components == 1 ? "" : "s");
-    std::printf("              closed %s, consistent %s, inside out %s\n", yes(r.closed), yes(r.consistent), yes(r.inside_out));
+    std::printf("              closed %s, consistent %s, inside out %s\n", yes(r.closed), yes(r.consistent),
+                r.inside_out != 0 ? "yes: turned outward" : "no");
     std::printf("              edges: %" PRIu64 " boundary, %" PRIu64 " non-manifold, %" PRIu64 " inconsistent; faces: %" PRIu64
                 " degenerate, %" PRIu64 " duplicate\n",
                 r.boundary_edges, r.nonmanifold_edges, r.inconsistent_edges, r.degenerate_faces, r.duplicate_faces);
@@ -113,7 +114,7 @@ void compare_with_brute_force(const embound::Mesh &mesh, const embound::Geometry
                           fast.primitive[i] == slow.primitive[i] && fast.feature[i] == slow.feature[i];
         differing += same ? 0 : 1;
     }
-    std::printf("agreement     %zu of %zu points have the same bits; brute force %s, accelerated %s: %.0f times faster\n",
+    std::printf("agreement     with brute force to the last bit at %zu of %zu points; %s against %s: %.0f times faster\n",
                 points.size() - differing, points.size(), in_words(slow_time).c_str(), in_words(fast_time).c_str(),
                 slow_time / fast_time);
     if (differing != 0) {
@@ -126,7 +127,7 @@ void classify(const embound::Geometry &g, const Grid &grid, const embound::Run &
     std::vector<std::int32_t> sides;
     const double time = seconds([&] { sides = g.classify(blocks.lo, blocks.hi, run); });
     const auto count = [&](std::int32_t side) { return std::count(sides.begin(), sides.end(), side); };
-    std::printf("boxes         %zu^3 in %s: %td inside, %td outside, %td cut or near the surface\n", blocks_per_side,
+    std::printf("boxes         %zu^3 of the same domain in %s: %td inside, %td outside, %td cut or near the surface\n", blocks_per_side,
                 in_words(time).c_str(), count(-1), count(1), count(0));
     const std::size_t wrong = count_contradictions(grid, blocks, sides);
     if (wrong != 0) {
@@ -137,7 +138,8 @@ void classify(const embound::Geometry &g, const Grid &grid, const embound::Run &
 void compare_volumes(const Grid &grid, double exact) {
     const double volume = enclosed_volume(grid);
     const double off = (volume - exact) / exact;
-    std::printf("volume        %.8g from the level set, %.8g from the mesh: %+.3f%%\n", volume, exact, 100.0 * off);
+    std::printf("volume        %.8g from the level set, %.8g from the mesh: %+.3f%%, the error of the grid\n", volume, exact,
+                100.0 * off);
     if (!(std::abs(off) <= volume_tolerance)) {
         fail("the volume of the level set is off by more than 1%");
     }
@@ -157,8 +159,11 @@ void quickstart(int argc, char **argv) {
 
     embound::Geometry g;
     const double build_time = seconds([&] { g = embound::from_mesh(mesh, {}, pool); });
-    std::printf("distance      built in %s, %.1f MB\n", in_words(build_time).c_str(),
-                1e-6 * static_cast<double>(g.properties().bytes));
+    const embound::Properties properties = g.properties();
+    std::printf("distance      built in %s, %.1f MB, sign by %s\n", in_words(build_time).c_str(),
+                1e-6 * static_cast<double>(properties.bytes),
+                properties.sign_method == embound::Sign::Pseudonormal ? "pseudonormals"
+                                                                      : "exact crossings: the mesh touches or crosses itself");
 
     Grid grid = make_grid(g.bounds(), domain_over_bounds, nodes_per_side);
     const double fill_time = seconds([&] {
@@ -182,7 +187,7 @@ void quickstart(int argc, char **argv) {
         legend = write_picture(stem + ".png", g, grid, slice,
                                embound::Run(pool).progress([&](double fraction) { progress.tell(fraction); }));
     });
-    std::printf("              %s.png: %zu x %zu pixels at %c = %.6g, a line every %g, in %s\n", stem.c_str(), legend.width,
+    std::printf("              %s.png: %zu x %zu pixels at %c = %.6g, a contour every %g, in %s\n", stem.c_str(), legend.width,
                 legend.height, "xyz"[slice.axis], slice.at, legend.line_spacing, in_words(picture_time).c_str());
     compare_volumes(grid, std::abs(report.volume));
 }

@@ -28,9 +28,9 @@ enum class Kind : std::int32_t {
 enum class Sign : std::int32_t {
     Auto = EMB_SIGN_AUTO,                 ///< Chosen from what the mesh is like; properties() says which.
     Pseudonormal = EMB_SIGN_PSEUDONORMAL, ///< Angle-weighted pseudonormals.
-    Winding = EMB_SIGN_WINDING,           ///< Generalised winding number.
+    Winding = EMB_SIGN_WINDING,           ///< Generalised winding number. Not in this version.
     Ray = EMB_SIGN_RAY,                   ///< Exact crossings of a ray.
-    Axis = EMB_SIGN_AXIS,                 ///< Terrain sheets: solid behind the first hit along an axis.
+    Axis = EMB_SIGN_AXIS,                 ///< Terrain sheets: solid behind the first hit along an axis. Not in this version.
     None = EMB_SIGN_NONE                  ///< Baffles: unsigned, never inside.
 };
 
@@ -73,11 +73,12 @@ enum class Elsewhere : std::int32_t {
 };
 
 /// Where closest() writes; what is empty is not wanted, the rest has one element for each point.
+/// emb_closest_out says more of each.
 struct ClosestOut {
     Span<double> value;             ///< Signed distance.
-    Span<Point> point;              ///< The nearest point of the surface.
+    Span<Point> point;              ///< The nearest point of the part that decides the value.
     Span<Point> gradient;           ///< Of the value, length 1; on the surface its outward normal.
-    Span<Point> barycentric;        ///< Of the nearest point in its triangle.
+    Span<Point> barycentric;        ///< Of the nearest point, for the triangle's corners as given.
     Span<std::int64_t> primitive;   ///< Index of the input face; ties go to the lowest.
     Span<std::int32_t> part;        ///< The body's label, -1: none.
     Span<std::int32_t> tag;         ///< The face's tag.
@@ -87,9 +88,9 @@ struct ClosestOut {
 /// What closest() returns, one element for each point; see ClosestOut.
 struct Closest {
     std::vector<double> value;           ///< Signed distance.
-    std::vector<Point> point;            ///< The nearest point of the surface.
+    std::vector<Point> point;            ///< The nearest point of the part that decides the value.
     std::vector<Point> gradient;         ///< Of the value, length 1.
-    std::vector<Point> barycentric;      ///< Of the nearest point in its triangle.
+    std::vector<Point> barycentric;      ///< Of the nearest point, for the triangle's corners as given.
     std::vector<std::int64_t> primitive; ///< Index of the input face.
     std::vector<std::int32_t> part;      ///< The body's label, -1: none.
     std::vector<std::int32_t> tag;       ///< The face's tag.

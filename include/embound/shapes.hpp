@@ -19,15 +19,15 @@ namespace embound {
 /// What to do about the boundary loops of an open mesh.
 enum class Open : std::int32_t {
     Error = EMB_OPEN_ERROR, ///< EMB_ERROR_TOPOLOGY.
-    Cap = EMB_OPEN_CAP,     ///< Loops are capped.
-    Sweep = EMB_OPEN_SWEEP  ///< Loops are swept beyond a box, for bodies that leave the domain.
+    Cap = EMB_OPEN_CAP,     ///< Loops are capped. Not in this version.
+    Sweep = EMB_OPEN_SWEEP  ///< Loops are swept beyond a box, for bodies that leave the domain. Not in this version.
 };
 
 /// How the nearest triangle is found.
 enum class Accelerator : std::int32_t {
     Auto = EMB_ACCELERATOR_AUTO,      ///< A bounding volume hierarchy.
     None = EMB_ACCELERATOR_NONE,      ///< Every triangle is looked at: slow, the same bits.
-    Compact = EMB_ACCELERATOR_COMPACT ///< A hierarchy of small memory.
+    Compact = EMB_ACCELERATOR_COMPACT ///< A hierarchy of small memory. Not in this version.
 };
 
 /// How a mesh becomes a geometry.

@@ -171,7 +171,7 @@ pub unsafe extern "C" fn emb_mesh_options_init(options: *mut emb_mesh_options, s
 }
 
 /// Reads a mesh from a file. The format is found from the content; this version reads STL, binary and ASCII,
-/// all solids of a file together. `options` may be NULL; the calling thread tells `run` 0 before and 1 after.
+/// all solids of a file together, each face with the number of its solid, from 0, as its tag. `options` may be NULL; the calling thread tells `run` 0 before and 1 after.
 /// On success *out_mesh is the caller's, to be freed with emb_mesh_free.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_IO, EMB_ERROR_PARSE (truncated, empty,
 /// coordinates that are not finite; the message names the offset or the line), EMB_ERROR_MEMORY,

@@ -20,11 +20,17 @@ pub struct emb_closest_out {
     pub struct_size: usize,
     /// The value at the point, the bits that emb_geom_value gives; +-max_distance where nothing is so near.
     pub value: *mut f64,
-    /// The closest point of the surface; NaN where nothing is so near.
+    /// The closest point of the surface; NaN where nothing is so near, and at a function that is not EMB_EXACT. In a
+    /// composite it is the closest point of the part that decides the value: where the composite is EMB_LOWER_BOUND it
+    /// may lie off the composite's surface (outside an intersection or a difference, inside a union). It lies on it
+    /// where the value there, asked for with emb_geom_values, is zero to rounding.
     pub point: [*mut f64; 3],
-    /// The unit gradient of the value there; NaN where nothing is so near.
+    /// The gradient of the value: of length 1, and the outward normal on the surface; by centred differences, and
+    /// not normalised, at a function. NaN where nothing is so near.
     pub gradient: [*mut f64; 3],
-    /// Weights of the corners of the closest triangle, which sum to 1; NaN where there is no mesh.
+    /// Weights of the corners of the closest triangle, which sum to 1, in the order in which the input gave them,
+    /// whatever orientation did to the face; of a face of more than three corners, of the triangle it was cut into.
+    /// NaN where there is no mesh.
     pub barycentric: [*mut f64; 3],
     /// Elements from one vector to the next, at least 1 where a vector is wanted.
     pub vector_stride: usize,
@@ -34,7 +40,8 @@ pub struct emb_closest_out {
     pub part: *mut i32,
     /// Tag of the input face; -1 where there is no mesh, or none so near.
     pub tag: *mut i32,
-    /// 0: the face's inside, 1 to 3: its edge, 4 to 6: its vertex, -1: not a mesh, or none so near.
+    /// 0: the inside of the triangle; 1, 2, 3: its edge from corner 0 to 1, 1 to 2, 2 to 0; 4, 5, 6: its corner 0, 1, 2
+    /// (corners as for barycentric); -1: not a mesh, or none so near.
     pub feature: *mut i32,
 }
 
@@ -108,7 +115,7 @@ pub struct emb_crossings_out {
     pub form: i32,
     /// EMB_ELSEWHERE_WRITE or EMB_ELSEWHERE_LEAVE.
     pub elsewhere: i32,
-    /// Written to `where` on edges that the surface does not cross; any double.
+    /// Written to `where` on edges that the surface does not cross: set it, to NAN say, since 0 may be a crossing.
     pub none: f64,
     /// The crossing: EMB_F64 or EMB_F32.
     pub r#where: emb_array,

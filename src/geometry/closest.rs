@@ -55,6 +55,9 @@ impl Geometry {
         }
         let mut answer = self.raw_closest(p);
         answer.value = positive_zero(answer.value);
+        // Adding zero turns -0.0 into +0.0.
+        answer.point += Vec3::ZERO;
+        answer.gradient += Vec3::ZERO;
         if answer.value.is_nan() { Closest::only(f64::NAN) } else { answer }
     }
 

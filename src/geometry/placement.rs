@@ -25,7 +25,9 @@ impl Placement {
         let gram = rotation.transpose() * rotation;
         let off = (gram - Mat3::IDENTITY).to_cols_array().into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
         if off > TOLERANCE {
-            return Err(Error::invalid(format!("rotation: off an orthogonal matrix by {off:e}")));
+            return Err(Error::invalid(format!(
+                "rotation: off an orthogonal matrix by {off}, more than {TOLERANCE:e}"
+            )));
         }
         if rotation.determinant() < 0.0 {
             return Err(Error::invalid("rotation: determinant -1 is a reflection"));

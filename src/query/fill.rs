@@ -47,7 +47,9 @@ pub fn fill(
         return Err(Error::invalid(format!("band: {band} is not finite and > 0")));
     }
     if mode != FillMode::Sign && g.properties().kind == Kind::SignOnly {
-        return Err(Error::unsupported("mode: only the sign of this geometry is known (SIGN_ONLY); use SIGN (2)"));
+        return Err(Error::unsupported(
+            "mode: of a function in this geometry only the sign is known (kind SIGN_ONLY): fill with SIGN (2), or make the function with kind EXACT or LOWER_BOUND",
+        ));
     }
     let [x, y, z] = lattice.axes;
     in_row_pieces(&suited(g, run), lattice.n(), &|at, count| {

@@ -174,7 +174,8 @@ fn ordered(g: &Geometry, low: Vec3, high: Vec3) -> Result<Intercept> {
         t,
         count: count.max(1),
         status,
-        normal: event.normal,
+        // Adding zero turns -0.0 into +0.0.
+        normal: event.normal + Vec3::ZERO,
         primitive: event.primitive,
         part: event.part,
         tag: event.tag,
