@@ -97,13 +97,7 @@ impl Prepared<f64> {
             0 => {
                 let normal = self.normal.to_vec();
                 let point = p - normal * normal.dot(p - corner[0]);
-                // Height over each edge, relative to the height of the opposite corner.
-                for (k, w) in weights.iter_mut().enumerate() {
-                    let (from, inward) = (corner[(k + 1) % 3], self.inward[(k + 1) % 3].to_vec());
-                    *w = ((point - from).dot(inward) / (corner[k] - from).dot(inward)).clamp(0.0, 1.0);
-                }
-                let sum = weights[0] + weights[1] + weights[2];
-                (point, Vec3::from_array(weights) / sum)
+                (point, self.weights(point))
             }
             1..=3 => {
                 let (i, j) = (feature - 1, feature % 3);
@@ -116,6 +110,26 @@ impl Prepared<f64> {
             }
         }
     }
+
+    /// Barycentric coordinates of a point of the triangle: the height over the longest edge, relative to the
+    /// opposite corner's, then the place along that edge, which stays right where the height of a sliver is
+    /// rounding.
+    fn weights(&self, point: Vec3) -> Vec3 {
+        let corner = self.corner.map(V3::to_vec);
+        let k = (1..3).fold(0, |longest, k| if self.inverse[k] < self.inverse[longest] { k } else { longest });
+        let (i, j, top) = (k, (k + 1) % 3, (k + 2) % 3);
+        let (base, offset, apex) = (corner[j] - corner[i], point - corner[i], corner[top] - corner[i]);
+        let inward = self.inward[k].to_vec();
+        let at = (offset.dot(base) * self.inverse[k]).clamp(0.0, 1.0);
+        let below = apex.dot(base) * self.inverse[k];
+        // What is no number, 0 / 0, is passed over by `min` and `max`.
+        let room = (at / below).min((1.0 - at) / (1.0 - below)).clamp(0.0, 1.0);
+        let height = (offset.dot(inward) / apex.dot(inward)).max(0.0).min(room);
+        let along = (at - height * below).clamp(0.0, 1.0 - height);
+        let mut weights = [0.0; 3];
+        (weights[top], weights[j], weights[i]) = (height, along, 1.0 - height - along);
+        Vec3::from_array(weights)
+    }
 }
 
 /// The kernel: nearest point of each triangle to `p`. About 100 operations a triangle, no division,
@@ -125,8 +139,13 @@ pub(crate) fn nearest<L: Lanes>(t: &Prepared<L>, p: V3<L>) -> Foot<L> {
     let to = [p.sub(t.corner[0]), p.sub(t.corner[1]), p.sub(t.corner[2])];
     let zero = L::splat(0.0);
     let mut best = edge(t, &to, 0);
+    // Where the foot lies along the longest edge.
+    let (mut least, mut beside) = (t.inverse[0], best.along);
     for k in 1..3 {
         let other = edge(t, &to, k);
+        let longer = t.inverse[k].lt(least);
+        least = L::select(longer, t.inverse[k], least);
+        beside = L::select(longer, other.along, beside);
         let nearer = other.squared.lt(best.squared);
         best.squared = L::select(nearer, other.squared, best.squared);
         best.feature = L::select(nearer, other.feature, best.feature);
@@ -134,10 +153,11 @@ pub(crate) fn nearest<L: Lanes>(t: &Prepared<L>, p: V3<L>) -> Foot<L> {
     }
     let height = t.normal.dot(to[0]);
     let plane = height * height;
-    let over = L::and(
-        L::and(zero.lt(t.inward[0].dot(to[0])), zero.lt(t.inward[1].dot(to[1]))),
-        zero.lt(t.inward[2].dot(to[2])),
-    );
+    // Beyond the tip of a sliver the foot is outside its sides by less than rounding: a foot inside is beside
+    // the longest edge, too.
+    let within = L::and(zero.le(beside), beside.le(L::splat(1.0)));
+    let left_of = |k: usize| zero.lt(t.inward[k].dot(to[k]));
+    let over = L::and(L::and(left_of(0), left_of(1)), L::and(left_of(2), within));
     Foot {
         squared: L::select(over, plane, best.squared),
         feature: L::select(over, zero, best.feature),
@@ -210,6 +230,32 @@ mod tests {
                 let one = nearest(lane, V3::from_vec(p));
                 assert_eq!(one.squared.to_bits(), eight.squared.0[k].to_bits());
                 assert_eq!((one.feature, one.along.to_bits()), (eight.feature.0[k], eight.along.0[k].to_bits()));
+            }
+        }
+    }
+
+    #[test]
+    fn slivers_end_at_their_tips() {
+        let along = Vec3::new(0.48, 0.6, 0.64);
+        for width in [1e-15, 1e-14, 1e-12, 1e-10, 1e-7, 1e-3] {
+            for k in 0..200 {
+                let start = Vec3::new(0.1 * f64::from(k), 0.3, 0.7);
+                let end = start + along;
+                let third = start + along * (0.2 + 0.004 * f64::from(k)) + Vec3::new(0.8, 0.0, -0.6) * width;
+                let prepared = Prepared::new([start, end, third]);
+                for (tip, beyond) in [(start, -along), (end, along), (start, start - third), (end, end - third)] {
+                    for reach in [1e-12, 1e-9, 1e-6, 1e-3, 0.25] {
+                        let p = tip + beyond * reach;
+                        let foot = nearest(&prepared, V3::from_vec(p));
+                        let distance = (p - tip).length();
+                        assert!((foot.squared.sqrt() - distance).abs() < 2.0 * RELATIVE_ERROR, "{width} {reach}");
+                    }
+                }
+                let inside = start * 0.5 + end * 0.25 + third * 0.25;
+                let foot = nearest(&prepared, V3::from_vec(inside));
+                let (point, weights) = prepared.point(inside, &foot);
+                let rebuilt = start * weights.x + end * weights.y + third * weights.z;
+                assert!((rebuilt - point).length() < 2.0 * width + 1e-14, "{width} {rebuilt} {point}");
             }
         }
     }
