@@ -125,3 +125,26 @@ fn unbounded_boxes_are_answered() {
     assert_eq!(query::classify_box(&g, Aabb::ALL), 0);
     assert_eq!(query::classify_box(&Geometry::union(&[]).unwrap(), Aabb::ALL), 1);
 }
+
+#[test]
+fn bodies_apart_by_rounding_alone_are_not_called_outside() {
+    let mut random = Random(5);
+    let mut inside = 0;
+    for _ in 0..4000 {
+        let (shift, hi) = (random.range(-1.0, 1.0), random.range(0.1, 1.0));
+        let moved =
+            Geometry::cuboid([hi - 1.0, 0.0, 0.0], [hi, 1.0, 1.0]).unwrap().translate([shift, 0.0, 0.0]).unwrap();
+        let x = moved.bounds().hi.x.next_up();
+        let beside = Geometry::cuboid([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]).unwrap();
+        let both = Geometry::intersection(&[moved, beside]).unwrap();
+        if query::classify_box(&both, Aabb::new(Vec3::new(x - 1.0, 0.0, 0.0), Vec3::new(x + 1.0, 1.0, 1.0))) == 1 {
+            let value = both.value(Vec3::new(x, 0.5, 0.5));
+            assert!(value > 0.0, "{value} at {x}");
+        } else {
+            inside += 1;
+        }
+        let far = Aabb::new(Vec3::splat(3.0), Vec3::splat(9.0));
+        assert_eq!(query::classify_box(&both, far), 1);
+    }
+    assert!(inside > 0);
+}

@@ -196,3 +196,50 @@ fn signs_this_version_lacks_are_refused() {
         assert_eq!(error.status(), Status::Unsupported);
     }
 }
+
+#[test]
+fn a_fin_thinner_than_rounding_does_not_lend_its_far_side() {
+    let soup = bodies::cells(&[0.0, 1.0, 3.0], &[0.0, 1.0], &[-1.0, 0.0, 1e-17, 1.0], |i, _, k| i == 0 || k == 1);
+    let g = build(&soup, SignMethod::Auto).unwrap();
+    assert_eq!(g.properties().sign_method, SignMethod::Ray);
+    let mut random = Random(11);
+    for _ in 0..2000 {
+        let p = random.point([1.2, 0.1, -0.9], [2.8, 0.9, 0.9]);
+        assert!(g.value(Vec3::from_array(p)) > 0.0, "{p:?}");
+    }
+}
+
+#[test]
+fn thin_plates_have_right_pseudonormals() {
+    for thickness in [1e-3, 1e-5, 1e-7, 1e-10] {
+        let mut plate = bodies::cuboid([0.0; 3], [1.0, 1.0, thickness]);
+        plate.triangles.reverse();
+        let g = build(&plate, SignMethod::Pseudonormal).unwrap();
+        assert!(g.value(Vec3::new(0.3, 0.4, 0.5 * thickness)) < 0.0);
+        assert!(g.value(Vec3::new(0.3, 0.4, 1.5 * thickness)) > 0.0);
+    }
+}
+
+#[test]
+fn knife_edges_far_from_the_origin_have_the_sign_of_exact_crossings() {
+    for (far, angle) in [(1e3, 1e-3), (1e6, 1e-1), (1e6, 1e-3)] {
+        let knife = Soup {
+            vertices: [0.0, angle, -angle]
+                .iter()
+                .flat_map(|&z: &f64| [0.0, 1.0].map(|y| [f64::from(u8::from(z != 0.0)), y, z]))
+                .collect(),
+            triangles: vec![[0, 2, 3], [0, 3, 1], [0, 1, 5], [0, 5, 4], [2, 4, 5], [2, 5, 3], [0, 4, 2], [1, 3, 5]],
+        };
+        let turned = knife.map(|[x, y, z]| [0.8 * x - 0.6 * z + 0.28 * y, 0.96 * y - 0.1 * x, 0.6 * x + 0.8 * z]);
+        let soup = turned.translated([far, 0.7 * far, -0.3 * far]);
+        let (g, exact) = (build(&soup, SignMethod::Pseudonormal).unwrap(), build(&soup, SignMethod::Ray).unwrap());
+        let mut random = Random(3);
+        for k in 0..20_000 {
+            let (t, reach) = (random.unit(), far * f64::EPSILON * [2.0, 10.0, 100.0, 1000.0][k % 4]);
+            let off = random.point([-reach; 3], [reach; 3]);
+            let (a, b) = (soup.vertices[0], soup.vertices[1]);
+            let p = Vec3::from_array([0, 1, 2].map(|d| a[d] + (b[d] - a[d]) * t + off[d]));
+            assert_eq!(g.value(p) <= 0.0, exact.value(p) <= 0.0, "{far} {angle} {p}");
+        }
+    }
+}

@@ -17,8 +17,7 @@ impl Geometry {
         if b.lo == b.hi {
             return sign(self.value(b.lo));
         }
-        let outside = self.summary().bounds.intersection(b).is_empty();
-        if outside && !self.summary().functions && self.is_beyond(b, self.summary().bounds) {
+        if !self.summary().functions && self.is_beyond(b) {
             return 1;
         }
         if !b.is_finite() {
@@ -28,9 +27,22 @@ impl Geometry {
     }
 
     /// Whether the box keeps clear of the body's bounds by more than rounding.
-    fn is_beyond(&self, b: Aabb, bounds: Aabb) -> bool {
+    fn is_beyond(&self, b: Aabb) -> bool {
+        let bounds = self.summary().bounds;
         if bounds.is_empty() {
-            return true;
+            // Parts that miss each other by less than rounding may still have a point in common.
+            return match self.node() {
+                Node::Union(parts) => parts.iter().all(|part| part.is_beyond(b)),
+                Node::Intersection(parts) => parts.iter().any(|part| part.is_beyond(b)),
+                Node::Complement(_) | Node::Function { .. } => false,
+                Node::Part(g, _) => g.is_beyond(b),
+                Node::Translate(g, shift) => g.is_beyond(Aabb::new(b.lo - *shift, b.hi - *shift)),
+                Node::Place(g, placement) => b.is_finite() && g.is_beyond(placement.box_to_body(b)),
+                Node::Sphere { .. } | Node::Cuboid(_) | Node::Surface(_) => false,
+            };
+        }
+        if !bounds.intersection(b).is_empty() {
+            return false;
         }
         let margin = self.value_error(extent(b)) + self.value_error(extent(bounds));
         (0..3).any(|k| b.lo[k] - bounds.hi[k] > margin || bounds.lo[k] - b.hi[k] > margin)
@@ -77,10 +89,7 @@ impl Geometry {
         match self.node() {
             Node::Sphere { center, radius } => 16.0 * eps * (extent + center.abs().max_element() + radius),
             Node::Cuboid(b) => 16.0 * eps * (extent + b.lo.abs().max(b.hi.abs()).max_element()),
-            Node::Surface(surface) => {
-                let reach = surface.bounds().lo.abs().max(surface.bounds().hi.abs()).max_element();
-                2.0 * RELATIVE_ERROR * (extent + reach + surface.diagonal())
-            }
+            Node::Surface(surface) => 2.0 * RELATIVE_ERROR * (extent + surface.reach() + surface.diagonal()),
             Node::Function { .. } => 1000.0 * eps * extent,
             Node::Union(parts) | Node::Intersection(parts) => {
                 parts.iter().map(|g| g.value_error(extent)).fold(0.0, f64::max)

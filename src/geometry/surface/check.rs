@@ -13,6 +13,7 @@ use crate::math::{Aabb, Vec3};
 use crate::mesh::Mesh;
 use crate::parallel::Run;
 use crate::primitive::contact::{folded, runs_into, segment_touches};
+use crate::primitive::triangle::{V3, nearest};
 use std::collections::HashSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -56,7 +57,11 @@ impl Surface {
     pub(super) fn check_embedding(&mut self, asked: SignMethod, run: &Run) -> Result<()> {
         let fault = match self.first_contact(run)? {
             Some((t, s)) => {
-                format!("faces {} and {} meet where they share no edge or vertex", self.face(t), self.face(s))
+                format!(
+                    "faces {} and {} meet, but for rounding, where they share no edge or vertex",
+                    self.face(t),
+                    self.face(s)
+                )
             }
             None => match self.first_misplaced_piece()? {
                 Some(t) => format!("the piece of face {} lies inside another, or is inside out", self.face(t)),
@@ -95,6 +100,7 @@ impl Surface {
         let mut found: Option<u32> = None;
         for k in (0..3).filter(|&k| vertex[k] < vertex[(k + 1) % 3]) {
             let edge = Aabb::of([corners[k], corners[(k + 1) % 3]]);
+            let edge = Aabb::new(edge.lo - self.rounding(), edge.hi + self.rounding());
             self.overlapping(edge, |s| {
                 let is_better = s != t && found.is_none_or(|f| s < f);
                 if is_better && self.touches(t, k, s, edge) {
@@ -105,7 +111,17 @@ impl Surface {
         found
     }
 
-    /// Whether edge `k` of triangle `t` meets triangle `s` beyond what they share.
+    /// Walls thinner than this have one side to a point beside them: either of their faces may be the nearest.
+    fn rounding(&self) -> f64 {
+        16.0 * f64::EPSILON * self.diagonal
+    }
+
+    fn is_near(&self, p: Vec3, triangle: u32) -> bool {
+        let foot = nearest(&self.prepared(triangle), V3::from_vec(p));
+        foot.squared <= self.rounding() * self.rounding()
+    }
+
+    /// Whether edge `k` of triangle `t` meets triangle `s` beyond what they share. `edge` is the box around it.
     fn touches(&self, t: u32, k: usize, s: u32, edge: Aabb) -> bool {
         let other = self.corners(s);
         if Aabb::of(other).intersection(edge).is_empty() || self.normal(s) == Vec3::ZERO {
@@ -117,7 +133,10 @@ impl Surface {
         let at = |v: u32| of_other.iter().position(|&w| w == v);
         let from = |first: usize| [other[first], other[(first + 1) % 3], other[(first + 2) % 3]];
         match (at(vertex[i]), at(vertex[j])) {
-            (None, None) => segment_touches(corners[i], corners[j], other),
+            (None, None) => {
+                let is_near = |k: usize| self.is_near(corners[k], s);
+                segment_touches(corners[i], corners[j], other) || is_near(i) || is_near(j)
+            }
             (Some(shared), None) => runs_into(corners[j], from(shared)),
             (None, Some(shared)) => runs_into(corners[i], from(shared)),
             (Some(_), Some(end)) => folded(corners[(k + 2) % 3], from(end)),
@@ -145,9 +164,9 @@ impl Surface {
     fn sides_are_right(&self, t: u32, normal: Vec3) -> bool {
         let [a, b, c] = self.corners(t);
         let middle = a / 3.0 + b / 3.0 + c / 3.0;
-        let size = (b - a).length().min((c - b).length()).min((a - c).length());
-        // Small beside the triangle, large beside the rounding of the coordinates.
-        let step = (1e-4 * size).max(64.0 * f64::EPSILON * middle.abs().max_element());
+        let size = (b - a).length().max((c - b).length()).max((a - c).length());
+        // Large beside the rounding of the coordinates, and small beside any wall that has two sides.
+        let step = 64.0 * f64::EPSILON * size.max(middle.abs().max_element());
         (self.winding(middle + normal * step), self.winding(middle - normal * step)) == (0, 1)
     }
 }

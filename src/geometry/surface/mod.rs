@@ -76,6 +76,11 @@ impl Surface {
         self.diagonal
     }
 
+    /// The largest coordinate.
+    pub(crate) fn reach(&self) -> f64 {
+        self.bounds.lo.abs().max(self.bounds.hi.abs()).max_element()
+    }
+
     pub(crate) fn triangle_count(&self) -> usize {
         self.triangles.len()
     }

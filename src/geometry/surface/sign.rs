@@ -10,7 +10,8 @@ use crate::primitive::crossing::AxisLine;
 /// Below this cosine between the offset and the pseudonormal, crossings decide.
 const CLEAR_COSINE: f64 = 1e-3;
 
-/// Nearer than this times the diagonal, the direction of the offset is rounding: crossings decide.
+/// Nearer than this times the largest coordinate or the diagonal, the direction of the offset is rounding:
+/// crossings decide.
 const CLEAR_DISTANCE: f64 = 1e-11;
 
 impl Surface {
@@ -28,7 +29,7 @@ impl Surface {
     /// Gradient of the signed distance; on the surface, the pseudonormal.
     pub(crate) fn gradient(&self, p: Vec3, nearest: &Nearest) -> Vec3 {
         let away = unit(p - nearest.point);
-        let near = nearest.distance <= CLEAR_DISTANCE * self.diagonal;
+        let near = !self.is_clear(nearest);
         if near || away == Vec3::ZERO {
             let normal = unit(self.pseudonormal(nearest));
             let face = self.normal(nearest.triangle);
@@ -37,12 +38,18 @@ impl Surface {
         if self.signed(p, nearest) < 0.0 { -away } else { away }
     }
 
+    /// Whether the offset from the nearest point has a direction. The nearest point is rounded to its
+    /// coordinates, which are large where the surface is far from the origin.
+    fn is_clear(&self, nearest: &Nearest) -> bool {
+        nearest.distance > CLEAR_DISTANCE * self.diagonal.max(self.reach())
+    }
+
     fn is_inside(&self, p: Vec3, nearest: &Nearest) -> bool {
         if !self.bounds.contains(p) {
             // Far away, rounding may choose any triangle as the nearest one.
             return self.far_winding >= 1;
         }
-        if self.sign == Sign::Pseudonormal && nearest.distance > CLEAR_DISTANCE * self.diagonal {
+        if self.sign == Sign::Pseudonormal && self.is_clear(nearest) {
             let (offset, normal) = (p - nearest.point, self.pseudonormal(nearest));
             let along = offset.dot(normal);
             if along.abs() > CLEAR_COSINE * length(offset) * length(normal) {
