@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Cross products carried in twice the precision, for the normals of slivers (Dekker 1971).
+//! Cross and triple products carried in twice the precision, for the normals of slivers (Dekker 1971).
 
 use super::Vec3;
 
@@ -43,4 +43,18 @@ pub fn cross_of_differences(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
         hi + lo
     };
     Vec3::new(minor(uy, vz, uz, vy), minor(uz, vx, ux, vz), minor(ux, vy, uy, vx))
+}
+
+/// `(b - a) x (c - a) . (d - a)` with an error of about 1e-30 of its largest terms. Not finite where its
+/// terms are beyond 1e290.
+pub fn volume_of_differences(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
+    let from_a = |p: Vec3| [0, 1, 2].map(|k| two_sum(p[k], -a[k]));
+    let (u, v, w) = (from_a(b), from_a(c), from_a(d));
+    let term = |k: usize| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        multiply(subtract(multiply(u[i], v[j]), multiply(u[j], v[i])), w[k])
+    };
+    let add = |p: (f64, f64), q: (f64, f64)| subtract(p, (-q.0, -q.1));
+    let (hi, lo) = add(add(term(0), term(1)), term(2));
+    hi + lo
 }

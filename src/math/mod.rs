@@ -9,7 +9,7 @@ mod double_double;
 mod rounding;
 
 pub use aabb::Aabb;
-pub use double_double::cross_of_differences;
+pub use double_double::{cross_of_differences, volume_of_differences};
 pub use glam::{DMat3 as Mat3, DVec3 as Vec3};
 pub use rounding::{f32_above, f32_below, f32_same_sign, positive_zero};
 

@@ -4,7 +4,7 @@
 //! coordinates, so that a line through an edge or a vertex meets exactly the triangles it must: the
 //! counts of a closed mesh are watertight.
 
-use crate::math::Vec3;
+use crate::math::{Vec3, volume_of_differences};
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// A line parallel to an axis, seen along it: the axes are permuted cyclically so that the line is
@@ -111,9 +111,42 @@ pub(crate) fn segment_meets(a: Vec3, b: Vec3, t: [Vec3; 3]) -> i32 {
     }
 }
 
-/// Where the line from `a` (0) to `b` (1) meets the plane through `corner` with this normal, clamped to
-/// [0, 1].
-pub(crate) fn fraction(a: Vec3, b: Vec3, corner: Vec3, normal: Vec3) -> f64 {
+/// Where the line from `a` (0) to `b` (1) meets the plane of a triangle, which has this normal, clamped to
+/// [0, 1]. From the volumes over the triangle: a rounded normal says nothing where the segment runs nearly within the plane.
+pub(crate) fn fraction(a: Vec3, b: Vec3, t: [Vec3; 3], normal: Vec3) -> f64 {
+    let height = |p: Vec3| volume_of_differences(t[0], t[1], t[2], p);
+    let (start, end) = (height(a), height(b));
+    let at = start / (start - end);
+    if at.is_finite() {
+        return at.clamp(0.0, 1.0);
+    }
+    // Volumes beyond the range of numbers.
     let across = normal.dot(b - a);
-    if across == 0.0 { 0.5 } else { (normal.dot(corner - a) / across).clamp(0.0, 1.0) }
+    if across == 0.0 { 0.5 } else { (normal.dot(t[0] - a) / across).clamp(0.0, 1.0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{cross_of_differences, unit};
+    use crate::primitive::triangle::{Prepared, V3, nearest};
+
+    #[test]
+    fn a_segment_in_the_plane_but_for_rounding_crosses_within_the_triangle() {
+        let mut met = 0;
+        for k in 0..5000 {
+            let x = 0.0007 * f64::from(k);
+            let t = [Vec3::new(0.1, 0.3 + x, 0.7), Vec3::new(0.58, 0.9, 1.34 - x), Vec3::new(0.9 - x, 0.2, 0.4)];
+            let normal = unit(cross_of_differences(t[0], t[1], t[2]));
+            let a = t[0] + (t[0] - t[1]) * 0.7 + (t[0] - t[2]) * 0.1 * x;
+            let b = t[0] * 0.2 + t[1] * 0.5 + t[2] * 0.3;
+            if segment_meets(a, b, t) != 0 {
+                met += 1;
+                let at = a + (b - a) * fraction(a, b, t, normal);
+                let off = nearest(&Prepared::new(t), V3::from_vec(at)).squared.sqrt();
+                assert!(off < 1e-12, "{off} at {x}");
+            }
+        }
+        assert!(met > 0);
+    }
 }

@@ -31,7 +31,7 @@ impl Surface {
             };
             if change != 0 {
                 let normal = self.normal(triangle);
-                hits.push(Hit { t: fraction(a, b, corners[0], normal), triangle, change, normal });
+                hits.push(Hit { t: fraction(a, b, corners, normal), triangle, change, normal });
             }
         });
         hits.sort_unstable_by(|u, v| u.t.total_cmp(&v.t).then(u.triangle.cmp(&v.triangle)));
