@@ -228,3 +228,17 @@ fn along_any_line_the_sides_change_as_often_as_the_surface_is_met() {
         }
     }
 }
+
+#[test]
+fn no_negative_zero_among_crossings() {
+    let cube = Geometry::cuboid([0.0; 3], [1.0; 3]).unwrap();
+    for x in [[-1.0, -0.0], [-0.0, -1.0]] {
+        let lattice = Lattice::new(&x, &[0.5], &[0.5]).unwrap();
+        let found = crossings(&cube, &lattice, 0, CrossingForm::Coordinate, &Run::SERIAL);
+        assert_eq!(found[0].at.to_bits(), 0, "{:?}", found[0]);
+    }
+    let hit = intercept(&cube.complement().unwrap(), Vec3::new(0.5, 0.5, 0.5), Vec3::new(2.0, 0.5, 0.5));
+    for c in hit.normal.to_array() {
+        assert!(c != 0.0 || c.is_sign_positive(), "{hit:?}");
+    }
+}

@@ -241,3 +241,22 @@ fn long_chains_of_placements_collapse_and_deep_nesting_is_refused() {
     assert_eq!(refused.expect("an end").status(), Status::Unsupported);
     assert_eq!(at(&nested, 1.0, 2.0, 3.0).abs(), 2.0);
 }
+
+#[test]
+fn placements_that_add_up_beyond_all_numbers_are_refused() {
+    let far = sphere().place(QUARTER_TURN, [1.5e308, 0.0, 0.0]).unwrap();
+    for moved in [far.place(QUARTER_TURN, [0.0, 1.5e308, 0.0]), far.translate([1.5e308, 0.0, 0.0])] {
+        let error = moved.map(|_| ()).unwrap_err();
+        assert_eq!(error.status(), Status::InvalidArgument);
+        assert!(error.message().starts_with("shift["), "{error}");
+    }
+}
+
+#[test]
+fn no_negative_zero_in_vectors() {
+    let turned = cuboid().complement().unwrap();
+    let near = turned.closest(Vec3::new(0.0, 1.0, 4.0));
+    for c in near.gradient.to_array().into_iter().chain(near.point.to_array()) {
+        assert!(c != 0.0 || c.is_sign_positive(), "{near:?}");
+    }
+}

@@ -76,10 +76,7 @@ impl Geometry {
         let shift = finite("shift", shift)?;
         match self.node() {
             Node::Translate(g, before) => g.translate((*before + shift).to_array()),
-            Node::Place(g, before) => {
-                let placement = Placement::translation(shift).after(before);
-                Geometry::new(Node::Place(g.clone(), placement))
-            }
+            Node::Place(g, before) => Geometry::placed(g, Placement::translation(shift).after(before)),
             _ => Geometry::new(Node::Translate(self.clone(), shift)),
         }
     }
@@ -93,6 +90,12 @@ impl Geometry {
             Node::Translate(g, before) => (g, placement.after(&Placement::translation(*before))),
             _ => (self, placement),
         };
+        Geometry::placed(body, placement)
+    }
+
+    /// The shifts of collapsed placements may add up to more than a number holds.
+    fn placed(body: &Geometry, placement: Placement) -> Result<Geometry> {
+        finite("shift", placement.shift().to_array())?;
         Geometry::new(Node::Place(body.clone(), placement))
     }
 

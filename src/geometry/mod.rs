@@ -49,6 +49,11 @@ impl Geometry {
         self.summary().bounds
     }
 
+    /// What the magnitude of a value means. O(1), unlike [`Geometry::properties`].
+    pub fn kind(&self) -> Kind {
+        self.summary().kind
+    }
+
     /// Whether several threads may ask at once: false where a user's function forbids it.
     pub fn is_thread_safe(&self) -> bool {
         self.summary().thread_safe

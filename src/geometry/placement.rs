@@ -81,6 +81,10 @@ impl Placement {
         16.0 * f64::EPSILON * (extent + self.shift.abs().max_element())
     }
 
+    pub(super) fn shift(self) -> Vec3 {
+        self.shift
+    }
+
     pub(super) fn numbers(self) -> impl Iterator<Item = f64> {
         self.rotation.to_cols_array().into_iter().chain(self.shift.to_array())
     }

@@ -5,7 +5,7 @@
 use super::Geometry;
 use super::node::Node;
 use super::surface::Surface;
-use crate::math::{Aabb, Vec3};
+use crate::math::{Aabb, Vec3, positive_zero};
 use crate::primitive::{cuboid, sphere};
 
 /// No label.
@@ -39,7 +39,7 @@ pub(crate) struct Event {
 
 impl Event {
     fn shape(t: f64, change: Change, normal: Vec3) -> Event {
-        Event { t, change, normal, primitive: -1, part: NO_PART, tag: NO_TAG }
+        Event { t: positive_zero(t), change, normal, primitive: -1, part: NO_PART, tag: NO_TAG }
     }
 
     /// Seen from the other side of the surface.
@@ -154,7 +154,7 @@ fn surface_events(surface: &Surface, a: Vec3, b: Vec3) -> Vec<Event> {
             _ => continue,
         };
         events.push(Event {
-            t: hit.t,
+            t: positive_zero(hit.t),
             change,
             normal: hit.normal,
             primitive: i64::from(surface.face(hit.triangle)),

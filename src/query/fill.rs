@@ -46,7 +46,7 @@ pub fn fill(
     {
         return Err(Error::invalid(format!("band: {band} is not finite and > 0")));
     }
-    if mode != FillMode::Sign && g.properties().kind == Kind::SignOnly {
+    if mode != FillMode::Sign && g.kind() == Kind::SignOnly {
         return Err(Error::unsupported(
             "mode: of a function in this geometry only the sign is known (kind SIGN_ONLY): fill with SIGN (2), or make the function with kind EXACT or LOWER_BOUND",
         ));

@@ -8,7 +8,7 @@ use super::fill::in_row_pieces;
 use super::{CHUNK, Lattice, check, in_chunks, suited};
 use crate::error::{Error, Result};
 use crate::geometry::{Change, Event, Geometry, NO_PART};
-use crate::math::Vec3;
+use crate::math::{Vec3, positive_zero};
 use crate::parallel::Run;
 
 /// The crossing of one segment.
@@ -115,7 +115,7 @@ pub fn crossings(
 /// The coordinate at `t` between two ends, never beyond them; NaN where `t` is.
 fn coordinate(low: f64, high: f64, t: f64) -> f64 {
     let at = low + (high - low) * t;
-    if t == 1.0 || at > high { high } else { at }
+    positive_zero(if t == 1.0 || at > high { high } else { at })
 }
 
 /// The crossing of one segment, and the same `t` counted from the end of lesser coordinates.
