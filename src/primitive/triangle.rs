@@ -156,13 +156,20 @@ pub(crate) fn nearest<L: Lanes>(t: &Prepared<L>, p: V3<L>) -> Foot<L> {
     // Beyond the tip of a sliver the foot is outside its sides by less than rounding: a foot inside is beside
     // the longest edge, too.
     let within = L::and(zero.le(beside), beside.le(L::splat(1.0)));
-    let left_of = |k: usize| zero.lt(t.inward[k].dot(to[k]));
-    let over = L::and(L::and(left_of(0), left_of(1)), L::and(left_of(2), within));
+    let sides = L::and(L::and(is_left(t, &to, 0), is_left(t, &to, 1)), is_left(t, &to, 2));
+    let over = L::and(sides, within);
     Foot {
         squared: L::select(over, plane, best.squared),
         feature: L::select(over, zero, best.feature),
         along: best.along,
     }
+}
+
+/// Whether the foot is on the inner side of edge `k`. (A function: closures are not always inlined, and what
+/// is not inlined is compiled for the baseline.)
+#[inline(always)]
+fn is_left<L: Lanes>(t: &Prepared<L>, to: &[V3<L>; 3], k: usize) -> L::Mask {
+    L::splat(0.0).lt(t.inward[k].dot(to[k]))
 }
 
 #[inline(always)]

@@ -149,12 +149,11 @@ impl Surface {
 
     /// Calls `visit` for every triangle whose box may meet `region`.
     fn overlapping(&self, region: Aabb, mut visit: impl FnMut(u32)) {
-        let mut block = |k: usize| {
-            self.blocks[k].triangle.iter().filter(|&&t| t != NO_TRIANGLE).for_each(|&t| visit(t));
-        };
         match &self.tree {
-            Some(tree) => tree.overlapping(region, block),
-            None => (0..self.blocks.len()).for_each(&mut block),
+            Some(tree) => tree.overlapping(region, |leaf| {
+                self.blocks[leaf].triangle.iter().filter(|&&t| t != NO_TRIANGLE).for_each(|&t| visit(t));
+            }),
+            None => (0..self.triangles.len() as u32).for_each(visit),
         }
     }
 }

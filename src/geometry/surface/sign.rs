@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The sign: angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they decide clearly, exact
-//! crossings of a vertical line elsewhere. Both are exact off the surface of a closed mesh, so it does
-//! not matter which one answered.
+//! crossings of a vertical line elsewhere. Both are right off the surface of a closed mesh that passes the
+//! check of `check.rs`, so it does not matter which one answered; on others crossings answer alone.
 
 use super::{Nearest, Sign, Surface};
 use crate::math::{Aabb, Vec3, length, unit};
