@@ -162,6 +162,41 @@ fn bounds_hold_the_body() {
 }
 
 #[test]
+fn bounds_hold_points_that_rounding_brings_to_the_surface() {
+    let mut random = Random(9);
+    let mut touched = 0;
+    for _ in 0..2000 {
+        let (c, r, d) = (random.range(-1.0, 1.0), random.range(0.1, 2.0), random.range(-9.0, 9.0));
+        for g in [Geometry::sphere([c; 3], r).unwrap(), Geometry::cuboid([c - r; 3], [c + r; 3]).unwrap()] {
+            let moved = g.translate([d; 3]).unwrap();
+            for (g, middle) in [(g, c), (moved, c + d)] {
+                let mut x = middle + r * (1.0 - 1e-15);
+                for _ in 0..64 {
+                    let p = Vec3::new(x, middle, middle);
+                    if g.value(p) <= 0.0 {
+                        touched += 1;
+                        assert!(g.bounds().contains(p), "{p} {:?}", g.bounds());
+                    }
+                    x = x.next_up();
+                }
+            }
+        }
+    }
+    assert!(touched > 1000);
+}
+
+#[test]
+fn parts_shared_many_times_over_are_counted_at_once() {
+    let mut g = sphere();
+    for _ in 0..200 {
+        g = Geometry::union(&[g.clone(), g]).unwrap();
+    }
+    let properties = g.properties();
+    assert_eq!(properties.primitives, u64::MAX);
+    assert!(properties.bytes < 100_000);
+}
+
+#[test]
 fn properties_say_what_a_value_means() {
     assert_eq!(sphere().properties().kind, Kind::Exact);
     assert_eq!(sphere().place(QUARTER_TURN, [1.0; 3]).unwrap().properties().kind, Kind::Exact);

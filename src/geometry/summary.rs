@@ -5,9 +5,13 @@ use super::Geometry;
 use super::node::Node;
 use super::properties::{FunctionOptions, Kind, Properties, SignMethod};
 use super::surface::Surface;
-use crate::math::Aabb;
+use crate::math::{Aabb, Vec3};
 use std::collections::HashSet;
 use std::sync::Arc;
+
+/// Bounds are widened by this much of what was added, twice over what rounding can do: a point whose value
+/// comes out as zero lies within.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summary {
@@ -22,6 +26,8 @@ pub(super) struct Summary {
     pub(super) surfaces: bool,
     pub(super) functions: bool,
     pub(super) thread_safe: bool,
+    /// Triangles and shapes; a shared part as often as it is used.
+    pub(super) primitives: u64,
     /// Levels of nodes below and including this one.
     pub(super) depth: usize,
 }
@@ -37,6 +43,7 @@ impl Summary {
             surfaces: false,
             functions: false,
             thread_safe: true,
+            primitives: 1,
             depth: 1,
         }
     }
@@ -46,7 +53,14 @@ impl Summary {
         if surface.is_inverted() {
             std::mem::swap(&mut bounds, &mut rest);
         }
-        Summary { bounds, rest, sign_method: surface.sign_method(), surfaces: true, ..Summary::shape(bounds) }
+        Summary {
+            bounds,
+            rest,
+            sign_method: surface.sign_method(),
+            surfaces: true,
+            primitives: surface.triangle_count() as u64,
+            ..Summary::shape(bounds)
+        }
     }
 
     fn function(options: &FunctionOptions) -> Summary {
@@ -66,7 +80,7 @@ impl Summary {
 
     /// Of a union; the empty one is nowhere, and exactly so.
     fn union(parts: &[Geometry]) -> Summary {
-        let mut all = Summary { depth: 0, ..Summary::shape(Aabb::EMPTY) };
+        let mut all = Summary { depth: 0, primitives: 0, ..Summary::shape(Aabb::EMPTY) };
         for part in parts {
             let s = part.summary();
             all.sign_method = match (all.surfaces, s.surfaces) {
@@ -81,6 +95,7 @@ impl Summary {
             all.surfaces |= s.surfaces;
             all.functions |= s.functions;
             all.thread_safe &= s.thread_safe;
+            all.primitives = all.primitives.saturating_add(s.primitives);
             all.depth = all.depth.max(s.depth);
         }
         if parts.len() > 1 {
@@ -104,7 +119,7 @@ impl Summary {
 
     pub(super) fn of(node: &Node) -> Summary {
         match node {
-            Node::Sphere { center, radius } => Summary::shape(Aabb::new(center - *radius, center + *radius)),
+            Node::Sphere { center, radius } => Summary::shape(grown(Aabb::new(*center, *center), Vec3::splat(*radius))),
             Node::Cuboid(b) => Summary::shape(*b),
             Node::Surface(surface) => Summary::surface(surface),
             Node::Function { options, .. } => Summary::function(options),
@@ -117,7 +132,12 @@ impl Summary {
             }
             Node::Complement(g) => g.summary().complement().deeper(),
             Node::Translate(g, shift) => {
-                g.summary().moved(|b| if b.is_empty() { b } else { Aabb::new(b.lo + *shift, b.hi + *shift) }).deeper()
+                let by = |b: Aabb| {
+                    let moved = Aabb::new(b.lo + *shift, b.hi + *shift);
+                    let rounding = |corner: Vec3| (corner.abs() + shift.abs()) * ROUNDING;
+                    Aabb::new(moved.lo - rounding(b.lo), moved.hi + rounding(b.hi))
+                };
+                g.summary().moved(|b| if b.is_empty() { b } else { by(b) }).deeper()
             }
             Node::Place(g, placement) => g.summary().moved(|b| placement.box_to_space(b)).deeper(),
             Node::Part(g, _) => g.summary().deeper(),
@@ -125,36 +145,36 @@ impl Summary {
     }
 }
 
+/// The box with `reach` added on all sides, rounded outward.
+fn grown(b: Aabb, reach: Vec3) -> Aabb {
+    let rounding = |corner: Vec3| (corner.abs() + reach) * ROUNDING;
+    Aabb::new(b.lo - reach - rounding(b.lo), b.hi + reach + rounding(b.hi))
+}
+
 impl Geometry {
     /// Kind, sign method, Lipschitz constant, primitives, bytes. O(nodes).
     pub fn properties(&self) -> Properties {
         let s = self.summary();
-        let mut seen = HashSet::new();
-        let (primitives, bytes) = self.count(&mut seen);
-        Properties { kind: s.kind, sign_method: s.sign_method, lipschitz: s.lipschitz, primitives, bytes }
+        Properties {
+            kind: s.kind,
+            sign_method: s.sign_method,
+            lipschitz: s.lipschitz,
+            primitives: s.primitives,
+            bytes: self.bytes(&mut HashSet::new()),
+        }
     }
 
-    /// Primitives (a shared part as often as it is used) and bytes (shared parts once).
-    fn count(&self, seen: &mut HashSet<usize>) -> (u64, u64) {
-        let mut bytes = if seen.insert(Arc::as_ptr(&self.inner) as usize) { self.own_bytes() } else { 0 };
-        let mut primitives = 0;
-        match self.node() {
-            Node::Sphere { .. } | Node::Cuboid(_) | Node::Function { .. } => primitives = 1,
-            Node::Surface(surface) => primitives = surface.triangle_count() as u64,
-            Node::Union(parts) | Node::Intersection(parts) => {
-                for part in parts {
-                    let (p, b) = part.count(seen);
-                    primitives += p;
-                    bytes += b;
-                }
-            }
-            Node::Complement(g) | Node::Translate(g, _) | Node::Place(g, _) | Node::Part(g, _) => {
-                let (p, b) = g.count(seen);
-                primitives += p;
-                bytes += b;
-            }
+    /// Bytes of the nodes not seen before; shared parts are walked once.
+    fn bytes(&self, seen: &mut HashSet<usize>) -> u64 {
+        if !seen.insert(Arc::as_ptr(&self.inner) as usize) {
+            return 0;
         }
-        (primitives, bytes)
+        let below = match self.node() {
+            Node::Sphere { .. } | Node::Cuboid(_) | Node::Function { .. } | Node::Surface(_) => 0,
+            Node::Union(parts) | Node::Intersection(parts) => parts.iter().map(|g| g.bytes(seen)).sum(),
+            Node::Complement(g) | Node::Translate(g, _) | Node::Place(g, _) | Node::Part(g, _) => g.bytes(seen),
+        };
+        self.own_bytes() + below
     }
 
     fn own_bytes(&self) -> u64 {
