@@ -21,6 +21,14 @@ struct Run {
     bounds: Aabb,
 }
 
+/// Where a run is split: below bin `bin` of those of `width` from `lo` on.
+struct Plane {
+    axis: usize,
+    lo: f64,
+    width: f64,
+    bin: usize,
+}
+
 impl Run {
     fn count(&self) -> usize {
         self.to - self.from
@@ -96,7 +104,7 @@ impl Builder<'_> {
 
     fn split(&mut self, run: Run, depth: usize) -> (Run, Run) {
         let middle = match self.best_plane(run, depth) {
-            Some((axis, plane)) => self.partition(run, axis, plane),
+            Some(plane) => self.partition(run, plane),
             None => self.halve(run),
         };
         (self.run(run.from, middle), self.run(middle, run.to))
@@ -112,22 +120,22 @@ impl Builder<'_> {
     }
 
     /// The axis and plane of least cost; none where the centroids coincide or the tree is too deep.
-    fn best_plane(&self, run: Run, depth: usize) -> Option<(usize, f64)> {
-        let centroids = self.centroid_bounds(run);
-        let extent = centroids.hi - centroids.lo;
+    fn best_plane(&self, run: Run, depth: usize) -> Option<Plane> {
         if depth >= SAH_DEPTH {
             return None;
         }
-        let mut best: Option<(f64, usize, f64)> = None;
+        let centroids = self.centroid_bounds(run);
+        let extent = centroids.hi - centroids.lo;
+        let mut best: Option<(f64, Plane)> = None;
         for axis in 0..3 {
-            let width = extent[axis] / BINS as f64;
+            let (lo, width) = (centroids.lo[axis], extent[axis] / BINS as f64);
             if width.is_nan() || width <= 0.0 {
                 continue;
             }
             let mut bins = [(0usize, Aabb::EMPTY); BINS];
             for &k in &self.order[run.from..run.to] {
                 let b = self.boxes[k as usize];
-                let bin = bin_of(b.center()[axis], centroids.lo[axis], width);
+                let bin = bin_of(b.center()[axis], lo, width);
                 bins[bin].0 += 1;
                 bins[bin].1 = bins[bin].1.hull(b);
             }
@@ -142,19 +150,18 @@ impl Builder<'_> {
                     continue;
                 }
                 let cost = leaves(below.0) * area(below.1) + leaves(above[i].0) * area(above[i].1);
-                if best.is_none_or(|(least, _, _)| cost < least) {
-                    best = Some((cost, axis, (i + 1) as f64));
+                if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                    best = Some((cost, Plane { axis, lo, width, bin: i + 1 }));
                 }
             }
         }
-        best.map(|(_, axis, bin)| (axis, bin))
+        best.map(|(_, plane)| plane)
     }
 
     /// Moves the primitives of the lower bins to the front, in their order; where the upper ones begin.
-    fn partition(&mut self, run: Run, axis: usize, bin: f64) -> usize {
-        let centroids = self.centroid_bounds(run);
-        let (lo, width) = (centroids.lo[axis], (centroids.hi[axis] - centroids.lo[axis]) / BINS as f64);
-        let is_lower = |k: u32| (bin_of(self.boxes[k as usize].center()[axis], lo, width) as f64) < bin;
+    fn partition(&mut self, run: Run, plane: Plane) -> usize {
+        let Plane { axis, lo, width, bin } = plane;
+        let is_lower = |k: u32| bin_of(self.boxes[k as usize].center()[axis], lo, width) < bin;
         let mut middle = run.from;
         self.upper.clear();
         for at in run.from..run.to {

@@ -7,10 +7,9 @@ use super::error::{emb_status, guard, plain};
 use super::handle::{Handle, give, lend, release, share, writable};
 use super::run::{emb_run, with_run};
 use super::versioned::{self, Versioned};
-use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::error::{Error, Result, try_with_capacity};
 use crate::io::{self, Format};
 use crate::mesh::{Mesh, MeshOptions, Orient};
-use crate::parallel::Run;
 use std::ffi::{c_char, c_void};
 use std::mem::{offset_of, size_of};
 
@@ -219,21 +218,12 @@ unsafe fn read(
         let (options, format) = options(given)?;
         writable("out_mesh", out_mesh)?;
         with_run(run, |run| {
-            tell(run, 0.0)?;
+            run.tell(0.0)?;
             let mesh = reader(format, &options)?;
-            tell(run, 1.0)?;
+            run.tell(1.0)?;
             give(out_mesh, mesh);
             Ok(())
         })
-    }
-}
-
-fn tell(run: &Run, fraction: f64) -> Result<()> {
-    match run.progress {
-        Some(progress) if progress(fraction) => {
-            Err(Error::new(Status::Cancelled, "progress: the callback asked to stop"))
-        }
-        _ => Ok(()),
     }
 }
 

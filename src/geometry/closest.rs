@@ -74,10 +74,11 @@ impl Geometry {
             Node::Surface(surface) => {
                 let nearest = surface.nearest(p);
                 let (feature, barycentric) = surface.as_input(&nearest);
+                let value = surface.signed(p, &nearest);
                 Closest {
-                    value: surface.signed(p, &nearest),
+                    value,
                     point: nearest.point,
-                    gradient: surface.gradient(p, &nearest),
+                    gradient: surface.gradient(p, &nearest, value),
                     barycentric,
                     primitive: i64::from(surface.face(nearest.triangle)),
                     part: NO_PART,

@@ -12,7 +12,7 @@ use crate::error::{Error, Result, Status};
 use crate::math::{Aabb, Vec3};
 
 /// Beyond these the exact predicates overflow, or lose the last digits of the coordinates to underflow.
-const LARGEST_COORDINATE: f64 = 1e100;
+pub(crate) const LARGEST_COORDINATE: f64 = 1e100;
 const SMALLEST_DIAGONAL: f64 = 1e-90;
 
 /// Finite positions, faces whose corners are in range, a tag for each face or none at all.

@@ -16,6 +16,8 @@ mod report;
 mod triangulate;
 mod weld;
 
+pub(crate) use build::LARGEST_COORDINATE;
+pub(crate) use faces::Sets;
 pub use half_edge::HalfEdges;
 pub use options::{MeshOptions, Orient};
 

@@ -48,7 +48,7 @@ impl<'a> Run<'a> {
         let job = Job {
             chunks,
             work,
-            progress: self.progress,
+            run: self,
             caller: thread::current().id(),
             environment: environment::caller(),
             next: AtomicUsize::new(0),
@@ -64,25 +64,21 @@ impl<'a> Run<'a> {
         job.finish()
     }
 
-    /// Cuts `out` into pieces of `length` and calls `work(start, piece)` for each.
-    pub fn for_each_piece<T: Send>(
-        &self,
-        out: &mut [T],
-        length: usize,
-        work: &(dyn Fn(usize, &mut [T]) -> Result<()> + Sync),
-    ) -> Result<()> {
-        let pieces: Vec<Mutex<&mut [T]>> = out.chunks_mut(length).map(Mutex::new).collect();
-        self.for_each_chunk(pieces.len(), &|k| {
-            let mut piece = pieces[k].lock().map_err(|_| Error::new(Status::Internal, "a worker panicked"))?;
-            work(k * length, &mut piece)
-        })
+    /// Tells the progress; [`Status::Cancelled`] where it asks to stop. Only from the calling thread.
+    pub fn tell(&self, fraction: f64) -> Result<()> {
+        match self.progress {
+            Some(progress) if progress(fraction) => {
+                Err(Error::new(Status::Cancelled, "progress: the callback asked to stop"))
+            }
+            _ => Ok(()),
+        }
     }
 }
 
 struct Job<'a> {
     chunks: usize,
     work: &'a (dyn Fn(usize) -> Result<()> + Sync),
-    progress: Option<Progress<'a>>,
+    run: &'a Run<'a>,
     caller: thread::ThreadId,
     environment: Option<Environment>,
     next: AtomicUsize,
@@ -112,12 +108,11 @@ impl Job<'_> {
             return;
         }
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-        if let Some(progress) = self.progress
+        if done < self.chunks
             && thread::current().id() == self.caller
-            && done < self.chunks
-            && progress(done as f64 / self.chunks as f64)
+            && let Err(stop) = self.run.tell(done as f64 / self.chunks as f64)
         {
-            self.fail(usize::MAX, Error::new(Status::Cancelled, "progress: the callback asked to stop"));
+            self.fail(usize::MAX, stop);
         }
     }
 
@@ -134,12 +129,7 @@ impl Job<'_> {
         let failure = self.failure.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
         match failure {
             Some((_, error)) => Err(error),
-            None => match self.progress {
-                Some(progress) if progress(1.0) => {
-                    Err(Error::new(Status::Cancelled, "progress: the callback asked to stop"))
-                }
-                _ => Ok(()),
-            },
+            None => self.run.tell(1.0),
         }
     }
 }

@@ -76,7 +76,7 @@ fn assemble(mesh: &Mesh, sign: Sign) -> Result<Surface> {
     if triangles.is_empty() {
         return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
     }
-    let corners = |t: usize| triangles[t].vertices.map(|v| vertices[v as usize]);
+    let corners = |t: usize| triangles[t].corners(vertices);
     let mut boxes = try_with_capacity("boxes", triangles.len())?;
     boxes.extend((0..triangles.len()).map(|t| Aabb::of(corners(t))));
     let (tree, leaves) = Tree::build(&boxes)?;

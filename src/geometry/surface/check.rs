@@ -7,10 +7,10 @@
 //! piece.
 
 use super::{Sign, Surface};
-use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::error::{Error, Result, Status};
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Sets};
 use crate::parallel::Run;
 use crate::primitive::contact::{folded, runs_into, segment_touches};
 use crate::primitive::triangle::{V3, nearest};
@@ -145,18 +145,15 @@ impl Surface {
 
     /// The first triangle of the first connected piece whose two sides are not outside and inside.
     fn first_misplaced_piece(&self) -> Result<Option<u32>> {
-        let mut root: Vec<u32> = try_with_capacity("vertices", self.vertices.len())?;
-        root.extend(0..self.vertices.len() as u32);
+        let mut pieces = Sets::new(self.vertices.len())?;
         for t in &self.triangles {
-            for k in 1..3 {
-                let (a, b) = (find(&mut root, t.vertex[0]), find(&mut root, t.vertex[k]));
-                root[a.max(b) as usize] = a.min(b);
-            }
+            pieces.join(t.vertex[0], t.vertex[1]);
+            pieces.join(t.vertex[0], t.vertex[2]);
         }
         let mut seen = HashSet::new();
         Ok((0..self.triangles.len() as u32).find(|&t| {
             let normal = self.normal(t);
-            let piece = find(&mut root, self.triangles[t as usize].vertex[0]);
+            let piece = pieces.find(self.triangles[t as usize].vertex[0]);
             normal != Vec3::ZERO && seen.insert(piece) && !self.sides_are_right(t, normal)
         }))
     }
@@ -173,13 +170,4 @@ impl Surface {
 
 fn undirected(a: u32, b: u32) -> (u32, u32) {
     (a.min(b), a.max(b))
-}
-
-/// The root of a vertex in the forest, paths halved on the way.
-fn find(root: &mut [u32], mut v: u32) -> u32 {
-    while root[v as usize] != v {
-        root[v as usize] = root[root[v as usize] as usize];
-        v = root[v as usize];
-    }
-    v
 }

@@ -144,7 +144,9 @@ impl Surface {
     }
 
     fn normal(&self, triangle: u32) -> Vec3 {
-        self.prepared(triangle).normal.to_vec()
+        let place = self.triangles[triangle as usize].place as usize;
+        let normal = &self.blocks[place / WIDTH].lanes.normal;
+        Vec3::from_array(std::array::from_fn(|axis| normal.0[axis].0[place % WIDTH]))
     }
 
     /// Calls `visit` for every triangle whose box may meet `region`.

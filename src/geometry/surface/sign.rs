@@ -26,8 +26,8 @@ impl Surface {
         if d == 0.0 || self.sign == Sign::Unsigned || !self.is_inside(p, nearest) { d } else { -d }
     }
 
-    /// Gradient of the signed distance; on the surface, the pseudonormal.
-    pub(crate) fn gradient(&self, p: Vec3, nearest: &Nearest) -> Vec3 {
+    /// Gradient of the signed distance, which is `value` at `p`; on the surface, the pseudonormal.
+    pub(crate) fn gradient(&self, p: Vec3, nearest: &Nearest, value: f64) -> Vec3 {
         let away = unit(p - nearest.point);
         let near = !self.is_clear(nearest);
         if near || away == Vec3::ZERO {
@@ -35,7 +35,7 @@ impl Surface {
             let face = self.normal(nearest.triangle);
             return [normal, face, away].into_iter().find(|n| *n != Vec3::ZERO).unwrap_or(Vec3::X);
         }
-        if self.signed(p, nearest) < 0.0 { -away } else { away }
+        if value < 0.0 { -away } else { away }
     }
 
     /// Whether the offset from the nearest point has a direction. The nearest point is rounded to its

@@ -2,9 +2,10 @@
 //! ASCII STL, as files in the wild have it: words in any case, any white space, LF, CRLF or CR, several solids,
 //! `endsolid` optional, normals of any content. A solid's name is the rest of its line.
 
-use super::{LARGEST_COORDINATE, Triangles};
+use super::Triangles;
 use crate::error::{Error, Result};
 use crate::math::Vec3;
+use crate::mesh::LARGEST_COORDINATE;
 
 /// Reads all solids.
 pub(super) fn read(bytes: &[u8]) -> Result<Triangles> {

@@ -10,9 +10,6 @@ use crate::mesh::{Mesh, MeshOptions};
 
 pub(super) use binary::write;
 
-/// Beyond this the exact predicates overflow.
-const LARGEST_COORDINATE: f64 = 1e100;
-
 /// Triangles as a file holds them.
 struct Triangles {
     /// Three a triangle.
