@@ -10,6 +10,7 @@ mod node;
 mod placement;
 mod properties;
 mod segment;
+mod shape;
 mod summary;
 mod surface;
 mod value;
