@@ -4,6 +4,7 @@
 use super::node::Node;
 use super::placement::Placement;
 use super::properties::{Function, FunctionOptions, SdfOptions};
+use super::shape::Shape;
 use super::summary::Summary;
 use super::surface::Surface;
 use super::{Geometry, Inner};
@@ -23,6 +24,11 @@ impl Geometry {
             return Err(Error::unsupported(format!("nesting: {} levels are more than {MAX_DEPTH}", summary.depth)));
         }
         Ok(Geometry { inner: Arc::new(Inner { node, summary }) })
+    }
+
+    /// A leaf.
+    pub(in crate::geometry) fn leaf(_shape: Box<dyn Shape>) -> Result<Geometry> {
+        Err(Error::unsupported("shape: not yet"))
     }
 
     /// Signed distance to a mesh; the mesh may be dropped afterwards. See [`SdfOptions`]. An open or
@@ -130,7 +136,8 @@ fn copied(parts: &[Geometry]) -> Result<Vec<Geometry>> {
     Ok(copy)
 }
 
-fn finite(name: &str, v: [f64; 3]) -> Result<Vec3> {
+/// The vector, where all of it is finite.
+pub(in crate::geometry) fn finite(name: &str, v: [f64; 3]) -> Result<Vec3> {
     match v.iter().position(|c| !c.is_finite()) {
         Some(k) => Err(Error::invalid(format!("{name}[{k}]: {} is not finite", v[k]))),
         None => Ok(Vec3::from_array(v)),
