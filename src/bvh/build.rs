@@ -2,7 +2,7 @@
 //! Binned surface area heuristic (Wald 2007), binary splits gathered eight to a node. Serial and
 //! deterministic.
 
-use super::{EMPTY_NODE, LEAF, LEAF_SIZE, Leaves, Node, Tree};
+use super::{EMPTY_NODE, LEAF, Leaves, Node, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use crate::simd::lanes::WIDTH;
@@ -42,11 +42,13 @@ struct Builder<'a> {
     start: Vec<u32>,
     /// Room for a partition, as long as `order`.
     upper: Vec<u32>,
+    /// Most primitives of a leaf.
+    leaf_size: usize,
 }
 
 impl Tree {
-    /// Builds over `boxes`, none of them empty, at least one.
-    pub(crate) fn build(boxes: &[Aabb]) -> Result<(Tree, Leaves)> {
+    /// Builds over `boxes`, none of them empty, at least one. `leaf_size` is at most [`super::LEAF_SIZE`].
+    pub(crate) fn build(boxes: &[Aabb], leaf_size: usize) -> Result<(Tree, Leaves)> {
         if boxes.len() >= LEAF as usize {
             return Err(Error::unsupported(format!("{} primitives are too many for one hierarchy", boxes.len())));
         }
@@ -55,7 +57,7 @@ impl Tree {
         order.extend(0..boxes.len() as u32);
         let tree = Tree { nodes: Vec::new(), center: bounds.center(), diagonal: bounds.diagonal() };
         let upper = try_with_capacity("primitives", boxes.len())?;
-        let mut builder = Builder { boxes, order, tree, start: vec![0], upper };
+        let mut builder = Builder { boxes, order, tree, start: vec![0], upper, leaf_size };
         builder.node(Run { from: 0, to: boxes.len(), bounds }, 0)?;
         Ok((builder.tree, Leaves { order: builder.order, start: builder.start }))
     }
@@ -75,7 +77,7 @@ impl Builder<'_> {
                 node.hi[axis][k] = hi[axis];
             }
             node.child[k] =
-                if part.count() <= LEAF_SIZE { self.leaf(part)? | LEAF } else { self.node(part, depth + 1)? };
+                if part.count() <= self.leaf_size { self.leaf(part)? | LEAF } else { self.node(part, depth + 1)? };
         }
         self.tree.nodes[at] = node;
         Ok(at as u32)
@@ -92,7 +94,7 @@ impl Builder<'_> {
         let mut parts = vec![run];
         while parts.len() < WIDTH {
             let largest = (0..parts.len()).max_by_key(|&k| (parts[k].count(), WIDTH - k)).unwrap_or(0);
-            if parts[largest].count() <= LEAF_SIZE {
+            if parts[largest].count() <= self.leaf_size {
                 break;
             }
             let (left, right) = self.split(parts[largest], depth);
@@ -149,13 +151,18 @@ impl Builder<'_> {
                 if below.0 == 0 || above[i].0 == 0 {
                     continue;
                 }
-                let cost = leaves(below.0) * area(below.1) + leaves(above[i].0) * area(above[i].1);
+                let cost = self.leaves(below.0) * area(below.1) + self.leaves(above[i].0) * area(above[i].1);
                 if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                     best = Some((cost, Plane { axis, lo, width, bin: i + 1 }));
                 }
             }
         }
         best.map(|(_, plane)| plane)
+    }
+
+    /// Leaves that so many primitives fill.
+    fn leaves(&self, count: usize) -> f64 {
+        count.div_ceil(self.leaf_size) as f64
     }
 
     /// Moves the primitives of the lower bins to the front, in their order; where the upper ones begin.
@@ -187,17 +194,12 @@ impl Builder<'_> {
         let boxes = self.boxes;
         let key = |k: u32| boxes[k as usize].center()[axis];
         self.order[run.from..run.to].sort_unstable_by(|&a, &b| key(a).total_cmp(&key(b)).then(a.cmp(&b)));
-        run.from + (run.count() / 2).next_multiple_of(LEAF_SIZE).min(run.count() - 1)
+        run.from + (run.count() / 2).next_multiple_of(self.leaf_size).min(run.count() - 1)
     }
 }
 
 fn bin_of(center: f64, lo: f64, width: f64) -> usize {
     (((center - lo) / width) as usize).min(BINS - 1)
-}
-
-/// Leaves that so many primitives fill.
-fn leaves(count: usize) -> f64 {
-    count.div_ceil(LEAF_SIZE) as f64
 }
 
 /// Half the surface area.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A bounding volume hierarchy of degree 8 over anything with boxes; it does not know what a primitive
 //! means. Boxes are f32, rounded outward, relative to the middle of all of them; leaves are runs of up to
-//! eight primitives, for the caller to lay out side by side.
+//! eight primitives, or of one, for the caller to lay out side by side.
 
 mod build;
 mod nearest;
 mod overlap;
 
-pub(crate) use nearest::{LeafDistance, nearest};
+pub(crate) use nearest::{LeafDistance, key, nearest};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};
 use crate::simd::lanes::WIDTH;
@@ -55,6 +55,11 @@ impl Tree {
     fn relative(&self, b: Aabb) -> ([f32; 3], [f32; 3]) {
         let (lo, hi) = (b.lo - self.center, b.hi - self.center);
         (lo.to_array().map(f32_below), hi.to_array().map(f32_above))
+    }
+
+    /// Length of the diagonal of all boxes.
+    pub(crate) fn diagonal(&self) -> f64 {
+        self.diagonal
     }
 
     /// Memory of the arrays.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Whether a box is wholly inside or outside. Never a lie: -1 and +1 mean that the value, rounding
-//! included, has that strict sign at every double of the closed box.
+//! Whether a box is wholly inside or outside, from numbers between which the values in it lie. Never a lie:
+//! -1 and +1 mean that the value, rounding included, has that strict sign at every double of the closed box.
 
 use super::Geometry;
 use super::node::Node;
 use super::properties::Kind;
-use crate::math::{Aabb, Vec3};
-use crate::primitive::triangle::RELATIVE_ERROR;
+use super::summary::extent;
+use crate::math::{Aabb, Interval, Vec3, length};
+
+/// Some number above, or below, zero.
+const POSITIVE: Interval = Interval { lo: f64::MIN_POSITIVE, hi: f64::INFINITY };
+const NEGATIVE: Interval = Interval { lo: f64::NEG_INFINITY, hi: -f64::MIN_POSITIVE };
 
 impl Geometry {
     /// -1 inside, +1 outside, 0 mixed, not known, or not a box (NaN, lo > hi).
@@ -15,117 +19,90 @@ impl Geometry {
             return 0;
         }
         if b.lo == b.hi {
-            return sign(self.value(b.lo));
+            return Interval::point(self.value(b.lo)).sign();
         }
-        if !self.summary().functions && self.is_beyond(b) {
-            return 1;
+        if self.summary().may_fail || b.is_finite() {
+            return if b.is_finite() { self.range(b).sign() } else { 0 };
         }
-        if !b.is_finite() {
-            return 0;
-        }
-        self.classify_finite(b)
+        i32::from(self.is_apart(self.summary().bounds, b)) - i32::from(self.is_apart(self.summary().rest, b))
     }
 
-    /// Whether the box keeps clear of the body's bounds by more than rounding.
-    fn is_beyond(&self, b: Aabb) -> bool {
-        let bounds = self.summary().bounds;
-        if bounds.is_empty() {
-            // Parts that miss each other by less than rounding may still have a point in common.
-            return match self.node() {
-                Node::Union(parts) => parts.iter().all(|part| part.is_beyond(b)),
-                Node::Intersection(parts) => parts.iter().any(|part| part.is_beyond(b)),
-                Node::Complement(_) | Node::Function { .. } => false,
-                Node::Part(g, _) => g.is_beyond(b),
-                Node::Translate(g, shift) => g.is_beyond(Aabb::new(b.lo - *shift, b.hi - *shift)),
-                Node::Place(g, placement) => b.is_finite() && g.is_beyond(placement.box_to_body(b)),
-                Node::Sphere { .. } | Node::Cuboid(_) | Node::Surface(_) => false,
-            };
+    /// Whether a box keeps clear of bounds of this body by more than rounding.
+    fn is_apart(&self, bounds: Aabb, b: Aabb) -> bool {
+        if bounds == Aabb::EMPTY {
+            return true;
         }
-        if !bounds.intersection(b).is_empty() {
-            return false;
-        }
-        let margin = self.value_error(extent(b)) + self.value_error(extent(bounds));
+        let s = self.summary();
+        let margin = s.error(extent(b)) + s.error(extent(bounds));
         (0..3).any(|k| b.lo[k] - bounds.hi[k] > margin || bounds.lo[k] - b.hi[k] > margin)
     }
 
-    fn classify_finite(&self, b: Aabb) -> i32 {
-        let by_center = self.classify_by_center(b);
-        if by_center != 0 {
-            return by_center;
+    /// Numbers between which the value lies at every double of a finite box, as computed.
+    pub(super) fn range(&self, b: Aabb) -> Interval {
+        if b.lo == b.hi {
+            let value = self.raw_value(b.lo);
+            return if value.is_nan() { Interval::ALL } else { Interval::point(value) };
         }
-        match self.node() {
-            Node::Union(parts) => combine(parts, b, -1),
-            Node::Intersection(parts) => combine(parts, b, 1),
-            Node::Complement(g) => -g.classify_finite(b),
-            // Subtraction is monotone: the shifted box holds every shifted point, rounding included.
-            Node::Translate(g, shift) => g.classify_finite(Aabb::new(b.lo - *shift, b.hi - *shift)),
-            Node::Place(g, placement) => g.classify_finite(placement.box_to_body(b)),
-            Node::Part(g, _) => g.classify_finite(b),
-            Node::Function { options, .. } if options.bounds.intersection(b).is_empty() => 1,
-            _ => 0,
-        }
-    }
-
-    /// The value at the centre against the half diagonal.
-    fn classify_by_center(&self, b: Aabb) -> i32 {
         let s = self.summary();
-        let center = b.center();
-        let half = Vec3::max(b.hi - center, center - b.lo);
-        let reach = crate::math::length(half) * (1.0 + 1e-9);
-        let room = |value: f64| {
-            if s.kind <= Kind::LowerBound { value.abs() } else { value.abs() / s.lipschitz }
-        };
+        if self.is_apart(s.bounds, b) {
+            return POSITIVE;
+        }
+        if self.is_apart(s.rest, b) {
+            return NEGATIVE;
+        }
+        let middle = self.range_from_middle(b);
+        if middle.sign() != 0 { middle } else { middle.intersection(self.range_from_parts(b)) }
+    }
+
+    /// From the value in the middle: by the Lipschitz constant, and because a distance's sign is the same
+    /// within it.
+    fn range_from_middle(&self, b: Aabb) -> Interval {
+        let s = self.summary();
         if s.kind == Kind::SignOnly && !s.lipschitz.is_finite() {
-            return 0;
+            return Interval::ALL;
         }
-        let value = self.value(center);
-        if room(value) > reach + 2.0 * self.value_error(extent(b)) { sign(value) } else { 0 }
+        let center = b.center();
+        let half = length(Vec3::max(b.hi - center, center - b.lo)) * (1.0 + 1e-9);
+        let value = self.raw_value(center);
+        if !value.is_finite() {
+            return Interval::ALL;
+        }
+        let error = 2.0 * s.error(extent(b));
+        let range = match s.lipschitz.is_finite() {
+            true => Interval::around(value, s.lipschitz * half + error),
+            false => Interval::ALL,
+        };
+        match value > 0.0 {
+            _ if s.kind > Kind::LowerBound || value.abs() <= half + error => range,
+            true => range.intersection(POSITIVE),
+            false => range.intersection(NEGATIVE),
+        }
     }
 
-    /// Bound on how far a computed value can be from the true one, for coordinates up to `extent`. Of a
-    /// user's function nothing is known: a thousand roundings of the coordinates are allowed.
-    fn value_error(&self, extent: f64) -> f64 {
-        let eps = f64::EPSILON;
+    /// From what the leaves below know, by the logic of the tree.
+    fn range_from_parts(&self, b: Aabb) -> Interval {
         match self.node() {
-            Node::Sphere { center, radius } => 16.0 * eps * (extent + center.abs().max_element() + radius),
-            Node::Cuboid(b) => 16.0 * eps * (extent + b.lo.abs().max(b.hi.abs()).max_element()),
-            Node::Surface(surface) => 2.0 * RELATIVE_ERROR * (extent + surface.reach() + surface.diagonal()),
-            Node::Function { .. } => 1000.0 * eps * extent,
-            Node::Union(parts) | Node::Intersection(parts) => {
-                parts.iter().map(|g| g.value_error(extent)).fold(0.0, f64::max)
-            }
-            Node::Complement(g) | Node::Part(g, _) => g.value_error(extent),
-            Node::Translate(g, shift) => {
-                let moved = extent + shift.abs().max_element();
-                g.value_error(moved) + 2.0 * eps * moved
-            }
-            Node::Place(g, placement) => {
-                let rounding = placement.rounding(extent);
-                g.value_error(rounding / (16.0 * eps) * 2.0) + 2.0 * rounding
-            }
+            Node::Sphere(_) | Node::Surface(_) => Interval::ALL,
+            Node::Shape(shape) => shape.range(b),
+            Node::Function { options, .. } if options.bounds.intersection(b).is_empty() => POSITIVE,
+            Node::Function { function, .. } => function.range(b).unwrap_or(Interval::ALL),
+            Node::Union(parts) => parts.range(b, 0.0),
+            Node::Intersection(parts) => -parts.range(b, 0.0),
+            Node::Smooth(smooth) => smooth.range(b),
+            Node::Repeat(repeat) => repeat.range(b),
+            Node::Complement(g) => -g.range(b),
+            // Subtraction is monotone: the shifted box holds every shifted point, rounding included.
+            Node::Translate(g, shift) => g.range(Aabb::new(b.lo - *shift, b.hi - *shift)),
+            Node::Place(g, placement) => scaled(g.range(placement.box_to_body(b)), placement.scale()),
+            Node::Map(g, map) => scaled(g.range(map.box_of(b)), map.factor()),
+            Node::Level(g, level) => level.range(g.range(b)),
+            Node::Stencil(g, stencil) => stencil.range(g, b),
+            Node::Part(g, _) => g.range(b),
         }
     }
 }
 
-/// Tri-state logic: `sure` (-1 for a union) as soon as one part is sure, the opposite when all parts are.
-fn combine(parts: &[Geometry], b: Aabb, sure: i32) -> i32 {
-    let mut all = -sure;
-    for part in parts {
-        match part.classify_finite(b) {
-            c if c == sure => return sure,
-            c if c != -sure => all = 0,
-            _ => {}
-        }
-    }
-    all
-}
-
-fn sign(value: f64) -> i32 {
-    i32::from(value > 0.0) - i32::from(value < 0.0)
-}
-
-/// Largest magnitude of a finite coordinate. (Towards infinity a value grows faster than its rounding.)
-fn extent(b: Aabb) -> f64 {
-    let coordinates = b.lo.to_array().into_iter().chain(b.hi.to_array());
-    coordinates.filter(|c| c.is_finite()).fold(0.0, |m, c| m.max(c.abs()))
+/// Multiplication by a positive factor is monotone, rounding included; what underflows may be zero.
+fn scaled(range: Interval, factor: f64) -> Interval {
+    Interval::new(range.lo * factor, range.hi * factor)
 }

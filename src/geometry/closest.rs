@@ -6,8 +6,8 @@ use super::Geometry;
 use super::node::Node;
 use super::properties::{FunctionOptions, Kind};
 use super::segment::{NO_PART, NO_TAG};
+use super::shape::Shape;
 use crate::math::{Aabb, Vec3, positive_zero};
-use crate::primitive::{cuboid, sphere};
 
 /// What is known of the nearest piece of surface.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +46,12 @@ impl Closest {
     }
 }
 
+impl Closest {
+    fn moved(self, by: impl Fn(Vec3) -> Vec3) -> Closest {
+        Closest { point: by(self.point), ..self }
+    }
+}
+
 impl Geometry {
     /// The closest point and all that goes with it. NaN throughout where a coordinate is not finite or a
     /// user's function failed.
@@ -63,14 +69,17 @@ impl Geometry {
 
     /// Gradient of the value.
     pub(super) fn gradient(&self, p: Vec3) -> Vec3 {
-        self.raw_closest(p).gradient
+        match self.node() {
+            Node::Sphere(sphere) => sphere.gradient(p),
+            Node::Shape(shape) if p.is_finite() => shape.gradient(p),
+            _ => self.raw_closest(p).gradient,
+        }
     }
 
-    fn raw_closest(&self, p: Vec3) -> Closest {
+    pub(super) fn raw_closest(&self, p: Vec3) -> Closest {
         match self.node() {
-            Node::Sphere { center, .. } => self.shape(p, sphere::gradient(*center, p)),
-            Node::Cuboid(b) => self.shape(p, cuboid::gradient(*b, p)),
-            Node::Surface(_) if !p.is_finite() => Closest::only(f64::NAN),
+            Node::Shape(_) | Node::Surface(_) if !p.is_finite() => Closest::only(f64::NAN),
+            Node::Sphere(_) | Node::Shape(_) => self.stepped(p, self.raw_value(p), self.gradient(p)),
             Node::Surface(surface) => {
                 let nearest = surface.nearest(p);
                 let (feature, barycentric) = surface.as_input(&nearest);
@@ -86,38 +95,47 @@ impl Geometry {
                     feature: feature as i32,
                 }
             }
-            Node::Function { options, .. } => {
-                let gradient = self.difference_quotient(p, options);
-                let mut answer = self.shape(p, gradient);
-                if options.kind != Kind::Exact {
-                    answer.point = Vec3::NAN;
-                }
-                answer
+            Node::Function { function, options } => {
+                let known = function.gradient(p);
+                let gradient = known.unwrap_or_else(|| self.difference_quotient(p, options));
+                self.stepped(p, self.raw_value(p), gradient)
             }
-            Node::Union(parts) => match Geometry::winner(parts, p, |a, b| a < b) {
-                Some(part) => part.raw_closest(p),
-                None => Closest::only(f64::INFINITY),
-            },
-            Node::Intersection(parts) => match Geometry::winner(parts, p, |a, b| a > b) {
-                Some(part) => part.raw_closest(p),
-                None => Closest::only(f64::NEG_INFINITY),
-            },
+            Node::Union(parts) | Node::Intersection(parts) => {
+                let least = parts.least(p);
+                match parts.list().get(least.part) {
+                    Some(part) => part.raw_closest(p),
+                    None if parts.is_turned() => Closest::only(f64::NEG_INFINITY),
+                    None => Closest::only(f64::INFINITY),
+                }
+            }
+            Node::Smooth(smooth) => smooth.closest(p),
+            Node::Repeat(repeat) => {
+                let shift = repeat.copy(repeat.least(p).part);
+                repeat.child().raw_closest(p - shift).moved(|q| q + shift)
+            }
             Node::Complement(g) => {
                 let answer = g.raw_closest(p);
                 Closest { value: 0.0 - answer.value, gradient: -answer.gradient, ..answer }
             }
-            Node::Translate(g, shift) => {
-                let answer = g.raw_closest(p - *shift);
-                Closest { point: answer.point + *shift, ..answer }
-            }
+            Node::Translate(g, shift) => g.raw_closest(p - *shift).moved(|q| q + *shift),
             Node::Place(g, placement) => {
                 let answer = g.raw_closest(placement.to_body(p));
                 Closest {
-                    point: placement.to_space(answer.point),
+                    value: placement.scale() * answer.value,
                     gradient: placement.direction(answer.gradient),
-                    ..answer
+                    ..answer.moved(|q| placement.to_space(q))
                 }
             }
+            Node::Map(g, map) => {
+                let answer = g.raw_closest(map.point(p));
+                self.derived(p, map.factor() * answer.value, map.gradient(p, answer.gradient), answer)
+            }
+            Node::Level(g, level) => {
+                let answer = g.raw_closest(p);
+                let gradient = answer.gradient * level.slope(answer.value);
+                self.derived(p, level.value(answer.value), gradient, answer)
+            }
+            Node::Stencil(g, stencil) => self.derived(p, stencil.value(g, p), stencil.gradient(g, p), g.raw_closest(p)),
             Node::Part(g, label) => {
                 let answer = g.raw_closest(p);
                 Closest { part: if answer.part == NO_PART { *label } else { answer.part }, ..answer }
@@ -125,10 +143,15 @@ impl Geometry {
         }
     }
 
-    /// Of a node whose value is a distance: one step along the gradient reaches the surface.
-    fn shape(&self, p: Vec3, gradient: Vec3) -> Closest {
-        let value = self.raw_value(p);
-        Closest { point: p - gradient * value, gradient, ..Closest::only(value) }
+    /// Where the value is a distance, one step along the gradient reaches the surface.
+    fn stepped(&self, p: Vec3, value: f64, gradient: Vec3) -> Closest {
+        let point = if self.kind() == Kind::Exact { p - gradient * value } else { Vec3::NAN };
+        Closest { point, gradient, ..Closest::only(value) }
+    }
+
+    /// Of a node whose surface is not its child's: the labels are the child's, face and feature are none.
+    fn derived(&self, p: Vec3, value: f64, gradient: Vec3, child: Closest) -> Closest {
+        Closest { part: child.part, tag: child.tag, ..self.stepped(p, value, gradient) }
     }
 
     /// Centred differences.

@@ -3,8 +3,8 @@
 //! the finaliser of SplitMix64 (Steele, Lea & Flood 2014).
 
 use super::Geometry;
+use super::level::Level;
 use super::node::Node;
-use crate::math::Vec3;
 
 impl Geometry {
     /// Equal for trees of equal content; 0 for trees with user functions. O(bytes).
@@ -19,23 +19,34 @@ impl Geometry {
 
     fn mix(&self, mixer: &mut Mixer) {
         match self.node() {
-            Node::Sphere { center, radius } => mixer.add(1).vector(*center).number(*radius),
-            Node::Cuboid(b) => mixer.add(2).vector(b.lo).vector(b.hi),
+            Node::Sphere(_) | Node::Shape(_) => {
+                if let Some(shape) = self.node().shape() {
+                    shape.words(&mut mixer.adder());
+                }
+            }
             Node::Surface(surface) => {
                 mixer.add(3);
-                surface.fingerprint(&mut |word| {
-                    mixer.add(word);
-                });
-                mixer
+                surface.fingerprint(&mut mixer.adder());
             }
-            Node::Function { .. } => mixer,
-            Node::Union(parts) => mixer.add(4).parts(parts),
-            Node::Intersection(parts) => mixer.add(5).parts(parts),
-            Node::Complement(g) => mixer.add(6).part(g),
-            Node::Translate(g, shift) => mixer.add(7).vector(*shift).part(g),
-            Node::Place(g, placement) => placement.numbers().fold(mixer.add(8), |m, x| m.number(x)).part(g),
-            Node::Part(g, label) => mixer.add(9).add(*label as u64).part(g),
-        };
+            Node::Function { .. } => {}
+            Node::Union(parts) => mixer.words([4, parts.list().len() as u64]),
+            Node::Intersection(parts) => mixer.words([5, parts.list().len() as u64]),
+            Node::Complement(_) => mixer.words([6]),
+            Node::Translate(_, shift) => mixer.add(7).numbers(shift.to_array()),
+            Node::Place(_, placement) => mixer.add(8).numbers(placement.numbers()),
+            Node::Part(_, label) => mixer.words([9, *label as u64]),
+            Node::Map(_, map) => map.words(&mut mixer.add(10).adder()),
+            Node::Level(_, Level::Offset(d)) => mixer.add(11).numbers([*d]),
+            Node::Level(_, Level::Annular(d)) => mixer.add(12).numbers([*d]),
+            Node::Level(_, Level::Divided(c)) => mixer.add(13).numbers([*c]),
+            Node::Stencil(_, stencil) => stencil.words(&mut mixer.add(14).adder()),
+            Node::Repeat(repeat) => repeat.words(&mut mixer.add(15).adder()),
+            Node::Smooth(smooth) => {
+                mixer.words([16, smooth.parts().list().len() as u64]);
+                smooth.blend().words(&mut mixer.adder());
+            }
+        }
+        self.node().children().iter().for_each(|g| g.mix(mixer));
     }
 }
 
@@ -50,24 +61,21 @@ impl Mixer {
         self
     }
 
-    fn number(&mut self, x: f64) -> &mut Mixer {
-        self.add((x + 0.0).to_bits())
-    }
-
-    fn vector(&mut self, v: Vec3) -> &mut Mixer {
-        self.number(v.x).number(v.y).number(v.z)
-    }
-
-    fn part(&mut self, g: &Geometry) -> &mut Mixer {
-        g.mix(self);
-        self
-    }
-
-    fn parts(&mut self, parts: &[Geometry]) -> &mut Mixer {
-        self.add(parts.len() as u64);
-        parts.iter().for_each(|g| {
-            self.part(g);
+    fn words<const N: usize>(&mut self, all: [u64; N]) {
+        all.into_iter().for_each(|word| {
+            self.add(word);
         });
-        self
+    }
+
+    fn numbers(&mut self, all: impl IntoIterator<Item = f64>) {
+        all.into_iter().for_each(|x| {
+            self.add((x + 0.0).to_bits());
+        });
+    }
+
+    fn adder(&mut self) -> impl FnMut(u64) {
+        |word| {
+            self.add(word);
+        }
     }
 }

@@ -2,19 +2,28 @@
 //! The implicit-function tree: shapes, transforms, CSG, mesh distance and user functions. Each node
 //! knows its bounds, its Lipschitz constant and whether its value is exact.
 
+mod blend;
 mod build;
 mod classify;
 mod closest;
 mod fingerprint;
+mod level;
+mod map;
 mod node;
+mod parts;
 mod placement;
 mod properties;
+mod repeat;
 mod segment;
 mod shape;
+mod smooth;
+mod stencil;
 mod summary;
 mod surface;
+mod trace;
 mod value;
 
+pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
 pub use properties::{Accelerator, Function, FunctionOptions, Kind, Open, Properties, SdfOptions, SignMethod};
 pub(crate) use segment::{Change, Event, NO_PART};
@@ -47,7 +56,8 @@ impl Geometry {
 
     /// A box around the body: infinite where unbounded, [`Aabb::EMPTY`] where there is none.
     pub fn bounds(&self) -> Aabb {
-        self.summary().bounds
+        let b = self.summary().bounds;
+        if b.is_empty() { Aabb::EMPTY } else { b }
     }
 
     /// What the magnitude of a value means. O(1), unlike [`Geometry::properties`].
@@ -60,7 +70,12 @@ impl Geometry {
         self.summary().thread_safe
     }
 
-    /// Whether a user's function takes part, so that NaN at a finite point means that it failed.
+    /// Whether a leaf may fail, so that NaN at a finite point means that it did.
+    pub fn may_fail(&self) -> bool {
+        self.summary().may_fail
+    }
+
+    /// Whether a function of the user's takes part.
     pub fn has_functions(&self) -> bool {
         self.summary().functions
     }

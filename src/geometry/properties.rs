@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! What a geometry says of itself, and the options it is built with.
 
-use crate::math::{Aabb, Vec3};
+use crate::math::{Aabb, Interval, Vec3};
 
 /// What the magnitude of a value means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -97,6 +97,26 @@ pub struct Properties {
 pub trait Function: Send + Sync {
     /// The value; NaN says that the function failed.
     fn value(&self, p: Vec3) -> f64;
+
+    /// The values at many points: those of [`Function::value`], to the bit.
+    fn values(&self, points: &[Vec3], out: &mut [f64]) {
+        points.iter().zip(out).for_each(|(p, value)| *value = self.value(*p));
+    }
+
+    /// Whether [`Function::values`] is more than a loop, so that points should be gathered for it.
+    fn is_batched(&self) -> bool {
+        false
+    }
+
+    /// The gradient where the function knows it; centred differences are taken where it does not.
+    fn gradient(&self, _p: Vec3) -> Option<Vec3> {
+        None
+    }
+
+    /// Numbers between which every value in a box lies, where the function knows some.
+    fn range(&self, _b: Aabb) -> Option<Interval> {
+        None
+    }
 }
 
 /// What the user knows of a function.

@@ -4,14 +4,17 @@
 
 use super::Geometry;
 use super::node::Node;
+use super::shape::Crossings;
 use super::surface::Surface;
 use crate::math::{Aabb, Vec3, positive_zero};
-use crate::primitive::{cuboid, sphere};
 
 /// No label.
 pub(crate) const NO_PART: i32 = -1;
 /// No tag.
 pub(crate) const NO_TAG: i32 = -1;
+
+/// Copies of a repeated body that are looked at one by one along a segment.
+const MOST_COPIES: u64 = 4096;
 
 /// What happens at a meeting with the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +41,7 @@ pub(crate) struct Event {
 }
 
 impl Event {
-    fn shape(t: f64, change: Change, normal: Vec3) -> Event {
+    pub(super) fn shape(t: f64, change: Change, normal: Vec3) -> Event {
         Event { t: positive_zero(t), change, normal, primitive: -1, part: NO_PART, tag: NO_TAG }
     }
 
@@ -54,20 +57,26 @@ impl Event {
 }
 
 impl Geometry {
-    /// The meetings of the segment from `a` to `b` (finite, different) with the surface, in order. Found
-    /// in closed form, except at a user's function, where a change of side between the ends is bisected
-    /// and a pair of crossings between them is not seen.
+    /// The meetings of the segment from `a` to `b` (finite, different) with the surface, in order. In closed
+    /// form where there is one; elsewhere by steps that the Lipschitz constant allows (see `trace.rs`), or,
+    /// where that is unknown, from the sides of the ends alone.
     pub(crate) fn events(&self, a: Vec3, b: Vec3) -> Vec<Event> {
         match self.node() {
-            Node::Sphere { center, radius } => within(sphere::interval(*center, *radius, a, b).map(|(t, u)| {
-                let normal = |t: f64| sphere::gradient(*center, a + (b - a) * t);
-                ((t, normal(t)), (u, normal(u)))
-            })),
-            Node::Cuboid(c) => within(cuboid::interval(*c, a, b)),
+            Node::Sphere(_) | Node::Shape(_) => match self.node().shape().map(|shape| shape.crossings(a, b)) {
+                Some(Crossings::Between(enter, leave)) => within(Some((enter, leave))),
+                Some(Crossings::Misses) => Vec::new(),
+                _ => self.traced_events(a, b),
+            },
             Node::Surface(surface) => surface_events(surface, a, b),
-            Node::Function { .. } => self.function_events(a, b),
-            Node::Union(parts) => combined(parts, a, b, false),
-            Node::Intersection(parts) => combined(parts, a, b, true),
+            Node::Function { .. } | Node::Smooth(_) | Node::Level(..) | Node::Stencil(..) => self.traced_events(a, b),
+            Node::Union(parts) | Node::Intersection(parts) => {
+                let near = parts.meeting(Aabb::of([a, b]));
+                combined(near.into_iter().map(|k| Placed(&parts.list()[k], Vec3::ZERO)), a, b, parts.is_turned())
+            }
+            Node::Repeat(repeat) => match repeat.meeting(Aabb::of([a, b]), MOST_COPIES) {
+                Some(shifts) => combined(shifts.into_iter().map(|shift| Placed(repeat.child(), shift)), a, b, false),
+                None => self.traced_events(a, b),
+            },
             Node::Complement(g) => g.events(a, b).into_iter().map(Event::turned).collect(),
             Node::Translate(g, shift) => g.events(a - *shift, b - *shift),
             Node::Place(g, placement) => {
@@ -75,6 +84,13 @@ impl Geometry {
                 events.iter_mut().for_each(|e| e.normal = placement.direction(e.normal));
                 events
             }
+            Node::Map(g, map) if map.is_linear() => {
+                let (from, to) = (map.point(a), map.point(b));
+                let mut events = if from == to { Vec::new() } else { g.events(from, to) };
+                events.iter_mut().for_each(|e| e.normal = crate::math::unit(map.gradient(a, e.normal)));
+                events
+            }
+            Node::Map(..) => self.traced_events(a, b),
             Node::Part(g, label) => {
                 let mut events = g.events(a, b);
                 events.iter_mut().filter(|e| e.part == NO_PART).for_each(|e| e.part = *label);
@@ -83,16 +99,7 @@ impl Geometry {
         }
     }
 
-    fn function_events(&self, a: Vec3, b: Vec3) -> Vec<Event> {
-        let (before, after) = (self.is_inside(a), self.is_inside(b));
-        if before == after {
-            return Vec::new();
-        }
-        let t = self.bisect(a, b, before);
-        let change = if before { Change::Leave } else { Change::Enter };
-        vec![Event::shape(t, change, crate::math::unit(self.gradient(a + (b - a) * t)))]
-    }
-
+    /// Whether the value there is not positive.
     pub(crate) fn is_inside(&self, p: Vec3) -> bool {
         self.raw_value(p) <= 0.0
     }
@@ -100,7 +107,11 @@ impl Geometry {
     /// A crossing between ends on opposite sides, by halving until nothing is left to halve: the last
     /// double before the side changes, seen from the outside end.
     pub(crate) fn bisect(&self, a: Vec3, b: Vec3, inside_first: bool) -> f64 {
-        let (mut lo, mut hi) = (0.0f64, 1.0f64);
+        self.bisect_between(a, b, (0.0, 1.0), inside_first)
+    }
+
+    /// The same between two places of the segment.
+    pub(super) fn bisect_between(&self, a: Vec3, b: Vec3, (mut lo, mut hi): (f64, f64), inside_first: bool) -> f64 {
         loop {
             let middle = 0.5 * (lo + hi);
             if middle <= lo || middle >= hi || hi - lo <= f64::EPSILON {
@@ -165,12 +176,17 @@ fn surface_events(surface: &Surface, a: Vec3, b: Vec3) -> Vec<Event> {
     events
 }
 
+/// A part, moved by a shift.
+struct Placed<'a>(&'a Geometry, Vec3);
+
 /// Union, or intersection as the complement of the union of complements: a sweep that counts the parts
-/// the segment is inside of. At one place entering comes before leaving, so parts in contact are one.
-fn combined(parts: &[Geometry], a: Vec3, b: Vec3, complemented: bool) -> Vec<Event> {
+/// the segment is inside of. At one place entering comes before leaving, so parts in contact are one. Parts
+/// left out are those that the segment is outside of (of whose complements, where complemented).
+fn combined<'a>(parts: impl Iterator<Item = Placed<'a>>, a: Vec3, b: Vec3, complemented: bool) -> Vec<Event> {
     let mut all = Vec::new();
     let mut depth = 0;
-    for part in parts {
+    for Placed(part, shift) in parts {
+        let (a, b) = (a - shift, b - shift);
         let events = part.events(a, b);
         let first = events.iter().map(|e| e.change).find(|c| *c != Change::Touch);
         let inside = match first {

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! The value at a point. It depends on the point and the geometry alone.
+//! The value at a point, or at many. It depends on the point and the geometry alone.
 
 use super::Geometry;
 use super::node::Node;
+use super::shape::Shape;
 use crate::math::{Vec3, positive_zero};
-use crate::primitive::{cuboid, sphere};
+
+/// Deeper than this, many points are asked for one after another: blocks need stack.
+const DEEPEST_BLOCK: usize = 32;
+
+/// Unions of more parts than this are asked for point by point.
+const MOST_BLOCK_PARTS: usize = 16;
 
 impl Geometry {
     /// The value at a point; NaN where a coordinate is not finite or a user's function failed. Never
@@ -13,50 +19,84 @@ impl Geometry {
         if p.is_finite() { positive_zero(self.raw_value(p)) } else { f64::NAN }
     }
 
+    /// The values at many points: the bits of [`Geometry::value`]. A user's function that takes many points
+    /// at once is handed them together.
+    pub(crate) fn values(&self, points: &[Vec3], out: &mut [f64]) {
+        if self.summary().batched && points.iter().all(|p| p.is_finite()) {
+            self.raw_values(points, out);
+            out.iter_mut().for_each(|value| *value = positive_zero(*value));
+        } else {
+            points.iter().zip(out).for_each(|(p, value)| *value = self.value(*p));
+        }
+    }
+
     /// The value; the sign of zero is not settled yet.
     pub(super) fn raw_value(&self, p: Vec3) -> f64 {
         match self.node() {
-            Node::Sphere { center, radius } => sphere::value(*center, *radius, p),
-            Node::Cuboid(b) => cuboid::value(*b, p),
+            Node::Sphere(sphere) => sphere.value(p),
+            Node::Shape(shape) if p.is_finite() => shape.value(p),
             Node::Surface(surface) if p.is_finite() => surface.value(p),
-            Node::Surface(_) => f64::NAN,
+            Node::Shape(_) | Node::Surface(_) => f64::NAN,
             Node::Function { function, .. } => function.value(p),
-            Node::Union(parts) => extreme(parts, p, |a, b| a < b, f64::INFINITY),
-            Node::Intersection(parts) => extreme(parts, p, |a, b| a > b, f64::NEG_INFINITY),
+            Node::Union(parts) => parts.least(p).value,
+            Node::Intersection(parts) => -parts.least(p).value,
+            Node::Smooth(smooth) => smooth.value(p),
+            Node::Repeat(repeat) => repeat.least(p).value,
             Node::Complement(g) => 0.0 - g.raw_value(p),
             Node::Translate(g, shift) => g.raw_value(p - *shift),
-            Node::Place(g, placement) => g.raw_value(placement.to_body(p)),
+            Node::Place(g, placement) => placement.scale() * g.raw_value(placement.to_body(p)),
+            Node::Map(g, map) => map.factor() * g.raw_value(map.point(p)),
+            Node::Level(g, level) => level.value(g.raw_value(p)),
+            Node::Stencil(g, stencil) => stencil.value(g, p),
             Node::Part(g, _) => g.raw_value(p),
         }
     }
 
-    /// The part whose value wins, the first of several.
-    pub(super) fn winner(parts: &[Geometry], p: Vec3, wins: fn(f64, f64) -> bool) -> Option<&Geometry> {
-        let mut best: Option<(f64, &Geometry)> = None;
-        for part in parts {
-            let value = part.raw_value(p);
-            if value.is_nan() {
-                return Some(part);
+    /// The same at many points.
+    fn raw_values(&self, points: &[Vec3], out: &mut [f64]) {
+        let one_by_one = |out: &mut [f64]| points.iter().zip(out).for_each(|(p, v)| *v = self.raw_value(*p));
+        let s = self.summary();
+        if !s.batched || s.depth > DEEPEST_BLOCK {
+            return one_by_one(out);
+        }
+        let mapped = |map: &dyn Fn(Vec3) -> Vec3| points.iter().map(|p| map(*p)).collect::<Vec<_>>();
+        match self.node() {
+            Node::Function { function, .. } => function.values(points, out),
+            Node::Union(parts) | Node::Intersection(parts) if parts.list().len() <= MOST_BLOCK_PARTS => {
+                let sign = if parts.is_turned() { -1.0 } else { 1.0 };
+                out.fill(f64::INFINITY);
+                let mut values = vec![0.0; points.len()];
+                for part in parts.list() {
+                    part.raw_values(points, &mut values);
+                    for (least, value) in out.iter_mut().zip(&values) {
+                        let value = value * sign;
+                        // The first NaN stays.
+                        if !least.is_nan() && (value < *least || value.is_nan()) {
+                            *least = value;
+                        }
+                    }
+                }
+                out.iter_mut().for_each(|value| *value *= sign);
             }
-            if best.is_none_or(|(least, _)| wins(value, least)) {
-                best = Some((value, part));
+            Node::Complement(g) => {
+                g.raw_values(points, out);
+                out.iter_mut().for_each(|value| *value = 0.0 - *value);
             }
+            Node::Translate(g, shift) => g.raw_values(&mapped(&|p| p - *shift), out),
+            Node::Place(g, placement) => {
+                g.raw_values(&mapped(&|p| placement.to_body(p)), out);
+                out.iter_mut().for_each(|value| *value *= placement.scale());
+            }
+            Node::Map(g, map) => {
+                g.raw_values(&mapped(&|p| map.point(p)), out);
+                out.iter_mut().for_each(|value| *value *= map.factor());
+            }
+            Node::Level(g, level) => {
+                g.raw_values(points, out);
+                out.iter_mut().for_each(|value| *value = level.value(*value));
+            }
+            Node::Part(g, _) => g.raw_values(points, out),
+            _ => one_by_one(out),
         }
-        best.map(|(_, part)| part)
     }
-}
-
-/// The winning value; NaN where any is.
-fn extreme(parts: &[Geometry], p: Vec3, wins: fn(f64, f64) -> bool, none: f64) -> f64 {
-    let mut best = none;
-    for part in parts {
-        let value = part.raw_value(p);
-        if value.is_nan() {
-            return value;
-        }
-        if wins(value, best) {
-            best = value;
-        }
-    }
-    best
 }

@@ -53,12 +53,14 @@ pub fn fill(
     }
     let [x, y, z] = lattice.axes;
     in_row_pieces(&suited(g, run), lattice.n(), &|at, count| {
-        let mut values = [0.0; CHUNK];
-        for (d, value) in values[..count].iter_mut().enumerate() {
-            let p = Vec3::new(x[at[0] + d], y[at[1]], z[at[2]]);
-            let exact = g.value(p);
-            check(g, exact, p)?;
-            *value = mode.of(exact);
+        let (mut points, mut values) = ([Vec3::ZERO; CHUNK], [0.0; CHUNK]);
+        for (d, p) in points[..count].iter_mut().enumerate() {
+            *p = Vec3::new(x[at[0] + d], y[at[1]], z[at[2]]);
+        }
+        g.values(&points[..count], &mut values[..count]);
+        for (value, p) in values[..count].iter_mut().zip(&points) {
+            check(g, *value, *p)?;
+            *value = mode.of(*value);
         }
         emit(at, &values[..count]);
         Ok(())

@@ -37,10 +37,10 @@ fn suited<'a>(g: &Geometry, run: &Run<'a>) -> Run<'a> {
 
 /// An error where a user's function failed.
 fn check(g: &Geometry, value: f64, p: Vec3) -> Result<()> {
-    if value.is_nan() && g.has_functions() && p.is_finite() {
+    if value.is_nan() && g.may_fail() && p.is_finite() {
         return Err(Error::new(
             Status::Callback,
-            format!("geometry: a callback failed (NaN) at ({}, {}, {})", p.x, p.y, p.z),
+            format!("geometry: a function has no value (NaN) at ({}, {}, {})", p.x, p.y, p.z),
         ));
     }
     Ok(())

@@ -83,6 +83,16 @@ lanewise!(Sub, sub, -);
 lanewise!(Mul, mul, *);
 
 impl F64x8 {
+    /// Square roots, correctly rounded.
+    #[inline(always)]
+    pub(crate) fn sqrt(self) -> F64x8 {
+        let mut out = [0.0; WIDTH];
+        for (k, x) in out.iter_mut().enumerate() {
+            *x = self.0[k].sqrt();
+        }
+        F64x8(out)
+    }
+
     #[inline(always)]
     fn compare(self, other: F64x8, holds: impl Fn(f64, f64) -> bool) -> Mask8 {
         let mut out = [0; WIDTH];

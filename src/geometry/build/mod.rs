@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Constructors: arguments checked, chains of placements collapsed, nesting bounded.
+//! Constructors: arguments checked, nesting bounded.
+
+mod combine;
+mod transform;
 
 use super::node::Node;
-use super::placement::Placement;
 use super::properties::{Function, FunctionOptions, SdfOptions};
-use super::shape::Shape;
+use super::shape::{Cuboid, Shape, Sphere};
 use super::summary::Summary;
 use super::surface::Surface;
 use super::{Geometry, Inner};
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::Mesh;
 use crate::parallel::Run;
@@ -27,8 +29,8 @@ impl Geometry {
     }
 
     /// A leaf.
-    pub(in crate::geometry) fn leaf(_shape: Box<dyn Shape>) -> Result<Geometry> {
-        Err(Error::unsupported("shape: not yet"))
+    pub(in crate::geometry) fn leaf(shape: Box<dyn Shape>) -> Result<Geometry> {
+        Geometry::new(Node::Shape(shape))
     }
 
     /// Signed distance to a mesh; the mesh may be dropped afterwards. See [`SdfOptions`]. An open or
@@ -44,7 +46,7 @@ impl Geometry {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::invalid(format!("radius: {radius} is not finite and > 0")));
         }
-        Geometry::new(Node::Sphere { center, radius })
+        Geometry::new(Node::Sphere(Sphere { center, radius }))
     }
 
     /// An axis-aligned box; lo < hi on every axis.
@@ -52,57 +54,8 @@ impl Geometry {
         let b = Aabb::new(finite("lo", lo)?, finite("hi", hi)?);
         match (0..3).find(|&k| b.lo[k] >= b.hi[k]) {
             Some(k) => Err(Error::invalid(format!("hi[{k}]: {} is not above lo[{k}] = {}", b.hi[k], b.lo[k]))),
-            None => Geometry::new(Node::Cuboid(b)),
+            None => Geometry::leaf(Box::new(Cuboid(b))),
         }
-    }
-
-    /// Points in any part; of none: +inf everywhere. The value is the least of the parts', hence a lower
-    /// bound of the distance where there are several.
-    pub fn union(parts: &[Geometry]) -> Result<Geometry> {
-        Geometry::new(Node::Union(copied(parts)?))
-    }
-
-    /// Points in every part; of none: -inf everywhere. The value is the greatest of the parts'.
-    pub fn intersection(parts: &[Geometry]) -> Result<Geometry> {
-        Geometry::new(Node::Intersection(copied(parts)?))
-    }
-
-    /// Points of `self` that are not in `remove`.
-    pub fn difference(&self, remove: &Geometry) -> Result<Geometry> {
-        Geometry::new(Node::Intersection(vec![self.clone(), remove.complement()?]))
-    }
-
-    /// The rest of space: 0.0 - f.
-    pub fn complement(&self) -> Result<Geometry> {
-        Geometry::new(Node::Complement(self.clone()))
-    }
-
-    /// Moved by `shift`. Shifts of shifts and of placements collapse into one.
-    pub fn translate(&self, shift: [f64; 3]) -> Result<Geometry> {
-        let shift = finite("shift", shift)?;
-        match self.node() {
-            Node::Translate(g, before) => g.translate((*before + shift).to_array()),
-            Node::Place(g, before) => Geometry::placed(g, Placement::translation(shift).after(before)),
-            _ => Geometry::new(Node::Translate(self.clone(), shift)),
-        }
-    }
-
-    /// Placed rigidly: a point q of the body comes to `rotation * q + shift`. The matrix is row-major and
-    /// a rotation to within 1e-9. O(1): the body is shared; placements of placements collapse into one.
-    pub fn place(&self, rotation: [f64; 9], shift: [f64; 3]) -> Result<Geometry> {
-        let placement = Placement::new(rotation, finite("shift", shift)?)?;
-        let (body, placement) = match self.node() {
-            Node::Place(g, before) => (g, placement.after(before)),
-            Node::Translate(g, before) => (g, placement.after(&Placement::translation(*before))),
-            _ => (self, placement),
-        };
-        Geometry::placed(body, placement)
-    }
-
-    /// The shifts of collapsed placements may add up to more than a number holds.
-    fn placed(body: &Geometry, placement: Placement) -> Result<Geometry> {
-        finite("shift", placement.shift().to_array())?;
-        Geometry::new(Node::Place(body.clone(), placement))
     }
 
     /// Labelled: the innermost label wins.
@@ -128,12 +81,6 @@ impl Geometry {
         }
         Geometry::new(Node::Function { function, options: options.clone() })
     }
-}
-
-fn copied(parts: &[Geometry]) -> Result<Vec<Geometry>> {
-    let mut copy = try_with_capacity("parts", parts.len())?;
-    copy.extend_from_slice(parts);
-    Ok(copy)
 }
 
 /// The vector, where all of it is finite.

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Bodies in closed form and sampled ones: the leaves of the tree that need no mesh. One shape a file.
 
+mod cuboid;
+mod sphere;
+
+pub(super) use cuboid::Cuboid;
+pub(super) use sphere::Sphere;
+
 use crate::math::{Aabb, Interval, Vec3};
 
 /// A leaf that knows its value, its gradient and the facts that the tree above it needs.
@@ -19,6 +25,11 @@ pub(crate) trait Shape: Send + Sync {
     /// than the value in the middle and the Lipschitz constant do.
     fn range(&self, _b: Aabb) -> Interval {
         Interval::ALL
+    }
+
+    /// Whether the value may be NaN at a finite point.
+    fn may_fail(&self) -> bool {
+        false
     }
 
     /// Where the line through `a` (0) and `b` (1) is inside, with the outward normals at both ends, for a

@@ -2,7 +2,7 @@
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
 use super::{Block, Corners, Sign, Surface};
-use crate::bvh::Tree;
+use crate::bvh::{LEAF_SIZE, Tree};
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
 use crate::math::Aabb;
@@ -79,7 +79,7 @@ fn assemble(mesh: &Mesh, sign: Sign) -> Result<Surface> {
     let corners = |t: usize| triangles[t].corners(vertices);
     let mut boxes = try_with_capacity("boxes", triangles.len())?;
     boxes.extend((0..triangles.len()).map(|t| Aabb::of(corners(t))));
-    let (tree, leaves) = Tree::build(&boxes)?;
+    let (tree, leaves) = Tree::build(&boxes, LEAF_SIZE)?;
     let mut blocks = try_with_capacity("blocks", leaves.start.len())?;
     let mut places = try_with_capacity("places", triangles.len())?;
     places.resize(triangles.len(), 0u32);

@@ -52,9 +52,10 @@ impl Kernel for Search<'_> {
     #[inline(always)]
     fn run(self) -> Best {
         let p = V3([Lanes::splat(self.p.x), Lanes::splat(self.p.y), Lanes::splat(self.p.z)]);
-        let mut leaf = Leaf { blocks: self.blocks, p, best: Best::NONE };
+        let diagonal = self.tree.map_or(0.0, Tree::diagonal);
+        let mut leaf = Leaf { blocks: self.blocks, p, diagonal, best: Best::NONE };
         match self.tree {
-            Some(tree) => bvh::nearest(tree, self.p, RELATIVE_ERROR, &mut leaf),
+            Some(tree) => bvh::nearest::<false>(tree, self.p, f64::INFINITY, &mut leaf),
             None => {
                 for k in 0..self.blocks.len() {
                     leaf.visit(k);
@@ -68,6 +69,8 @@ impl Kernel for Search<'_> {
 struct Leaf<'a> {
     blocks: &'a [Block],
     p: V3<F64x8>,
+    /// Of the tree.
+    diagonal: f64,
     best: Best,
 }
 
@@ -79,7 +82,8 @@ impl LeafDistance for Leaf<'_> {
         for k in 0..WIDTH {
             self.best.offer(foot.squared.0[k], block.triangle[k]);
         }
-        self.best.squared
+        let d = self.best.squared.sqrt();
+        bvh::key(d + 2.0 * RELATIVE_ERROR * (d + self.diagonal))
     }
 }
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Many parts of which the least value wins (a union), or, turned, the greatest (an intersection: the least
+//! of the values with their signs turned). Over more than a few parts with finite bounds it has hierarchies
+//! of its own; parts without stand beside them. The answers are those of asking every part, to the bit.
+
+mod disjoint;
+mod hierarchy;
+mod search;
+mod spheres;
+
+pub(super) use search::Found;
+
+use super::Geometry;
+use super::summary::grown;
+use crate::error::Result;
+use crate::math::{Aabb, Interval, Vec3};
+use hierarchy::Hierarchy;
+
+/// Fewer parts than this are asked one after another.
+const MANY: usize = 4;
+
+/// Below this many levels of nodes there is no hierarchy: its search needs stack.
+const DEEP: usize = 64;
+
+/// A box that meets more parts than this is taken as mixed.
+const MOST_IN_A_BOX: usize = 256;
+
+pub(super) struct Parts {
+    list: Vec<Geometry>,
+    /// Whether the signs of all values are turned.
+    turned: bool,
+    hierarchy: Option<Box<Hierarchy>>,
+}
+
+impl Parts {
+    pub(super) fn new(list: Vec<Geometry>, turned: bool) -> Result<Parts> {
+        let depth = list.iter().map(|g| g.summary().depth).max().unwrap_or(0);
+        let hierarchy = match list.len() >= MANY && depth < DEEP {
+            true => Hierarchy::new(&list, turned)?.map(Box::new),
+            false => None,
+        };
+        Ok(Parts { list, turned, hierarchy })
+    }
+
+    pub(super) fn list(&self) -> &[Geometry] {
+        &self.list
+    }
+
+    pub(super) fn is_turned(&self) -> bool {
+        self.turned
+    }
+
+    /// Memory beside the parts' own.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&self.list[..]) + self.hierarchy.as_ref().map_or(0, |h| h.bytes())
+    }
+
+    /// The value of a part, turned where all are.
+    fn signed(&self, part: usize, p: Vec3) -> f64 {
+        let value = self.list[part].raw_value(p);
+        if self.turned { -value } else { value }
+    }
+
+    /// Around a part, or, turned, around the rest of space.
+    fn bounds(&self, part: usize) -> Aabb {
+        around(&self.list[part], self.turned)
+    }
+
+    /// The parts, in order, whose bounds may meet a box.
+    pub(super) fn meeting(&self, b: Aabb) -> Vec<usize> {
+        let mut found = Vec::new();
+        match &self.hierarchy {
+            Some(hierarchy) => {
+                hierarchy.meeting(b, |part| found.push(part));
+                found.retain(|&part| hierarchy.is_beside(part) || !self.bounds(part).intersection(b).is_empty());
+            }
+            None => found.extend((0..self.list.len()).filter(|&k| !self.bounds(k).intersection(b).is_empty())),
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// The least value (signs turned where all are) over a finite box. What is `beyond` or more need not be
+    /// told apart.
+    pub(super) fn range(&self, b: Aabb, beyond: f64) -> Interval {
+        let spread = self.list.iter().map(|g| g.summary().spread_axis).fold(1.0, f64::max);
+        let spread = self.hierarchy.as_ref().map_or(spread, |h| h.spread());
+        // Parts farther off are positive, and by more than `beyond`.
+        let near = grown(b, Vec3::splat(if beyond > 0.0 { beyond * spread } else { 0.0 }));
+        let found =
+            if beyond > 0.0 && !spread.is_finite() { (0..self.list.len()).collect() } else { self.meeting(near) };
+        if found.len() > MOST_IN_A_BOX {
+            return Interval::ALL;
+        }
+        let mut least = Interval { lo: beyond.max(f64::MIN_POSITIVE), hi: f64::INFINITY };
+        for &part in &found {
+            let range = self.list[part].range(b);
+            least = least.min(if self.turned { -range } else { range });
+        }
+        least
+    }
+}
+
+/// Around a body, or, turned, around the rest of space. Bounds that miss each other by rounding stand in
+/// wrong order.
+fn around(g: &Geometry, turned: bool) -> Aabb {
+    let b = if turned { g.summary().rest } else { g.summary().bounds };
+    if b == Aabb::EMPTY { b } else { Aabb::new(b.lo.min(b.hi), b.lo.max(b.hi)) }
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Smooth union. The values of all parts are blended in rising order, blend(blend(a, b), c) and so on with
+//! a <= b <= c, until the next one is further behind the result than the blend's support: the order in which
+//! the parts are given makes no difference to the bit, the value goes on continuously where two parts change
+//! places, and every part within the support takes part.
+
+use super::blend::Blend;
+use super::closest::Closest;
+use super::parts::{Found, Parts};
+use super::properties::Kind;
+use super::summary::{Summary, grown};
+use crate::math::{Aabb, Interval, Vec3};
+
+pub(super) struct Smooth {
+    parts: Parts,
+    blend: Blend,
+}
+
+impl Smooth {
+    /// `parts` are not turned.
+    pub(super) fn new(parts: Parts, blend: Blend) -> Smooth {
+        Smooth { parts, blend }
+    }
+
+    pub(super) fn parts(&self) -> &Parts {
+        &self.parts
+    }
+
+    pub(super) fn blend(&self) -> &Blend {
+        &self.blend
+    }
+
+    /// The parts that count, in rising order; one that is NaN alone.
+    fn blended(&self, p: Vec3) -> Vec<Found> {
+        let least = self.parts.least(p);
+        if !least.value.is_finite() {
+            return vec![least];
+        }
+        let mut found = self.parts.below(p, least.value + self.blend.support());
+        if let Some(bad) = found.iter().find(|f| f.value.is_nan()) {
+            return vec![*bad];
+        }
+        found.sort_unstable_by(|a, b| a.value.total_cmp(&b.value).then(a.part.cmp(&b.part)));
+        if found.is_empty() { vec![least] } else { found }
+    }
+
+    /// Blends until the rest is too far behind: `weigh` is told of each step the derivatives by the result so
+    /// far and by the next value.
+    fn fold(&self, found: &[Found], mut weigh: impl FnMut(usize, f64, f64)) -> f64 {
+        let mut value = found[0].value;
+        for (k, next) in found.iter().enumerate().skip(1) {
+            if next.value - value >= self.blend.support() {
+                break;
+            }
+            // A user's blend need not go below the least value.
+            let (a, b) = (value.min(next.value), value.max(next.value));
+            let (blended, by_a, by_b) = self.blend.of(a, b);
+            let (by_value, by_next) = if value <= next.value { (by_a, by_b) } else { (by_b, by_a) };
+            weigh(k, by_value, by_next);
+            value = blended;
+        }
+        value
+    }
+
+    #[inline(never)]
+    pub(super) fn value(&self, p: Vec3) -> f64 {
+        self.fold(&self.blended(p), |_, _, _| {})
+    }
+
+    /// With the labels of the part of least value.
+    #[inline(never)]
+    pub(super) fn closest(&self, p: Vec3) -> Closest {
+        let found = self.blended(p);
+        if found[0].part == usize::MAX {
+            return Closest::only(found[0].value);
+        }
+        let part = |k: usize| &self.parts.list()[found[k].part];
+        let winner = part(0).raw_closest(p);
+        let mut gradient = winner.gradient;
+        let value = self.fold(&found, |k, by_value, by_next| {
+            gradient = gradient * by_value + part(k).gradient(p) * by_next;
+        });
+        let alone = value == winner.value;
+        let nowhere = Closest { value, gradient, part: winner.part, tag: winner.tag, ..Closest::only(value) };
+        if alone { winner } else { nowhere }
+    }
+
+    pub(super) fn range(&self, b: Aabb) -> Interval {
+        let depth = self.blend.depth(self.parts.list().len());
+        let least = self.parts.range(b, depth * (1.0 + 1e-9));
+        Interval::new((least.lo - depth).next_down(), least.hi)
+    }
+
+    /// Of the node over parts of whose union `s` is known.
+    pub(super) fn summary(&self, s: Summary) -> Summary {
+        let n = self.parts.list().len();
+        if n < 2 {
+            return s;
+        }
+        let depth = self.blend.depth(n);
+        let lipschitz = s.lipschitz * self.blend.lipschitz();
+        let unit = 16.0 * f64::EPSILON * n.min(1000) as f64;
+        Summary {
+            bounds: grown(s.bounds, Vec3::splat(depth * s.spread_axis)),
+            kind: if lipschitz <= 1.0 { Kind::LowerBound } else { Kind::SignOnly },
+            lipschitz,
+            reach_outward: 0.0,
+            reach_inward: 0.0,
+            // Blends round values and what they take off.
+            rounding: (s.rounding.0 + 4.0 * unit, s.rounding.1 + unit * (self.blend.depth(n) + s.extent())),
+            ..s
+        }
+    }
+}

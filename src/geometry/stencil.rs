@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Smoothed bodies: the value is a mean of the child's values at points around, with weights that are not
+//! negative and add up to one.
+
+use super::Geometry;
+use super::properties::Kind;
+use super::summary::{Summary, grown};
+use crate::error::{Error, Result, try_with_capacity};
+use crate::math::{Aabb, Interval, Vec3};
+
+pub(super) struct Stencil {
+    /// Offset and weight of each sample.
+    samples: Vec<(Vec3, f64)>,
+    /// Largest offset along an axis.
+    reach: f64,
+}
+
+impl Stencil {
+    /// 27 points at 0 and +-h along each axis; one displaced along n axes weighs alpha^(3-n) ((1-alpha)/2)^n.
+    pub(super) fn blur(h: f64, alpha: f64) -> Result<Stencil> {
+        let side = (1.0 - alpha) * 0.5;
+        Stencil::product(&[(-h, side), (0.0, alpha), (h, side)])
+    }
+
+    /// `count` points evenly in [-d, d] along each axis with binomial weights, which are exact.
+    pub(super) fn mollify(d: f64, count: usize) -> Result<Stencil> {
+        let last = count - 1;
+        let mut along = try_with_capacity("samples", count)?;
+        let mut binomial = 1.0;
+        for k in 0..count {
+            let place = if last == 0 { 0.0 } else { (2.0 * k as f64 - last as f64) / last as f64 };
+            along.push((place * d, binomial));
+            binomial = binomial * (last - k) as f64 / (k + 1) as f64;
+        }
+        let total: f64 = along.iter().map(|(_, w)| w).sum();
+        along.iter_mut().for_each(|(_, w)| *w /= total);
+        Stencil::product(&along)
+    }
+
+    fn product(along: &[(f64, f64)]) -> Result<Stencil> {
+        let mut samples = try_with_capacity("samples", along.len() * along.len() * along.len())?;
+        for (z, c) in along {
+            for (y, b) in along {
+                samples.extend(along.iter().map(|(x, a)| (Vec3::new(*x, *y, *z), a * b * c)));
+            }
+        }
+        samples.retain(|(_, weight)| *weight > 0.0);
+        let reach = along.iter().fold(0.0, |m: f64, (x, _)| m.max(x.abs()));
+        if samples.is_empty() {
+            return Err(Error::invalid("weights: all of them are zero"));
+        }
+        Ok(Stencil { samples, reach })
+    }
+
+    pub(super) fn value(&self, g: &Geometry, p: Vec3) -> f64 {
+        // Zero times an infinite value would be NaN, but no weight is zero.
+        self.samples.iter().map(|(d, weight)| weight * g.raw_value(p + *d)).sum()
+    }
+
+    pub(super) fn gradient(&self, g: &Geometry, p: Vec3) -> Vec3 {
+        self.samples.iter().map(|(d, weight)| g.gradient(p + *d) * *weight).sum()
+    }
+
+    /// The values of a box: those of the child around it, and the rounding of the sum.
+    pub(super) fn range(&self, g: &Geometry, b: Aabb) -> Interval {
+        let f = g.range(grown(b, Vec3::splat(self.reach)));
+        let rounding = 2.0 * f64::EPSILON * (self.samples.len() + 4) as f64;
+        let widen = |x: f64| if x.is_finite() { x.abs() * rounding } else { 0.0 };
+        Interval::new(f.lo - widen(f.lo).max(widen(f.hi)), f.hi + widen(f.lo).max(widen(f.hi)))
+    }
+
+    /// Of the node over a child of which `s` is known.
+    pub(super) fn summary(&self, s: Summary) -> Summary {
+        let rounding = 2.0 * f64::EPSILON * (self.samples.len() + 4) as f64;
+        Summary {
+            // Where the mean is not positive, one of the samples is not.
+            bounds: grown(s.bounds, Vec3::splat(self.reach)),
+            rest: grown(s.rest, Vec3::splat(self.reach)),
+            kind: if s.lipschitz <= 1.0 { Kind::LowerBound } else { Kind::SignOnly },
+            reach_outward: 0.0,
+            reach_inward: 0.0,
+            rounding: (s.rounding.0 + rounding * s.steepness(), s.rounding.1 + (s.rounding.0 + rounding) * self.reach),
+            ..s
+        }
+    }
+
+    pub(super) fn words(&self, add: &mut dyn FnMut(u64)) {
+        add(self.samples.len() as u64);
+        for (d, weight) in &self.samples {
+            d.to_array().iter().chain([weight]).for_each(|x| add((x + 0.0).to_bits()));
+        }
+    }
+
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&self.samples[..])
+    }
+}
