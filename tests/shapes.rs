@@ -205,10 +205,13 @@ fn properties_say_what_a_value_means() {
     assert_eq!(union.properties().primitives, 2);
     assert_eq!(Geometry::union(&[sphere()]).unwrap().properties().kind, Kind::Exact);
     assert_eq!(plane(FunctionOptions::default()).properties().kind, Kind::SignOnly);
-    // A shared part counts once in memory.
+    // A shared part counts once in memory; the hierarchy over the parts counts as well.
     let shared = sphere();
-    let many = Geometry::union(&vec![shared; 1000]).unwrap().properties();
-    assert!(many.bytes < 30_000 && many.primitives == 1000, "{many:?}");
+    let many = Geometry::union(&vec![shared.clone(); 1000]).unwrap().properties();
+    let own: Vec<Geometry> = (0..1000).map(|_| sphere()).collect();
+    let apart = Geometry::union(&own).unwrap().properties();
+    assert!(many.bytes < 80_000 && many.primitives == 1000, "{many:?}");
+    assert_eq!(apart.bytes - many.bytes, 999 * shared.properties().bytes);
 }
 
 #[test]
