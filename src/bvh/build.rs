@@ -2,7 +2,7 @@
 //! Binned surface area heuristic (Wald 2007), binary splits gathered eight to a node. Serial and
 //! deterministic.
 
-use super::{EMPTY_NODE, LEAF, Leaves, Node, Tree};
+use super::{EMPTY_NODE, LEAF, Leaves, Node, Tree, scale_of};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use crate::simd::lanes::WIDTH;
@@ -55,7 +55,8 @@ impl Tree {
         let bounds = boxes.iter().fold(Aabb::EMPTY, |all, b| all.hull(*b));
         let mut order: Vec<u32> = try_with_capacity("primitives", boxes.len())?;
         order.extend(0..boxes.len() as u32);
-        let tree = Tree { nodes: Vec::new(), center: bounds.center(), diagonal: bounds.diagonal() };
+        let (center, diagonal) = (bounds.center(), bounds.diagonal());
+        let tree = Tree { nodes: Vec::new(), center, diagonal, scale: scale_of(diagonal), depth: 0 };
         let upper = try_with_capacity("primitives", boxes.len())?;
         let mut builder = Builder { boxes, order, tree, start: vec![0], upper, leaf_size };
         builder.node(Run { from: 0, to: boxes.len(), bounds }, 0)?;
@@ -67,6 +68,7 @@ impl Builder<'_> {
     /// Appends the node of a run and everything below it; its index.
     fn node(&mut self, run: Run, depth: usize) -> Result<u32> {
         let at = self.tree.nodes.len();
+        self.tree.depth = self.tree.depth.max(depth + 1);
         self.tree.nodes.try_reserve(1).map_err(|_| Error::memory("nodes", at + 1))?;
         self.tree.nodes.push(EMPTY_NODE);
         let mut node: Node = EMPTY_NODE;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A bounding volume hierarchy of degree 8 over anything with boxes; it does not know what a primitive
-//! means. Boxes are f32, rounded outward, relative to the middle of all of them; leaves are runs of up to
+//! means. Boxes are f32, rounded outward, relative to the middle and size of all of them; leaves are runs of up to
 //! eight primitives, or of one, for the caller to lay out side by side.
 
 mod build;
 mod nearest;
 mod overlap;
 
-pub(crate) use nearest::{LeafDistance, key, nearest};
+pub(crate) use nearest::{LeafDistance, nearest};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};
 use crate::simd::lanes::WIDTH;
@@ -39,6 +39,11 @@ pub(crate) struct Tree {
     center: Vec3,
     /// Length of the diagonal of all boxes.
     diagonal: f64,
+    /// A power of two that brings everything in `nodes` to a size of about one, so that f32 neither overflows
+    /// nor underflows.
+    scale: f64,
+    /// Levels of nodes.
+    depth: usize,
 }
 
 /// Which primitives are in which leaf.
@@ -50,10 +55,10 @@ pub(crate) struct Leaves {
 }
 
 impl Tree {
-    /// A box relative to the centre, rounded outward. Subtraction and rounding are monotone, so a point
-    /// inside the box stays inside when the same subtraction is applied to it.
+    /// A box relative to the centre and scaled, rounded outward. Subtraction and rounding are monotone, so
+    /// a point inside the box stays inside when the same is done to it.
     fn relative(&self, b: Aabb) -> ([f32; 3], [f32; 3]) {
-        let (lo, hi) = (b.lo - self.center, b.hi - self.center);
+        let (lo, hi) = ((b.lo - self.center) * self.scale, (b.hi - self.center) * self.scale);
         (lo.to_array().map(f32_below), hi.to_array().map(f32_above))
     }
 
@@ -66,4 +71,11 @@ impl Tree {
     pub(crate) fn bytes(&self) -> usize {
         self.nodes.len() * size_of::<Node>()
     }
+}
+
+/// The power of two that scales a length to between 1/2 and 1, as far as doubles allow.
+fn scale_of(length: f64) -> f64 {
+    let exponent = (length.to_bits() >> 52 & 0x7FF) as i64 - 1023;
+    let exponent = (-exponent - 1).clamp(-1000, 1000);
+    f64::from_bits(((exponent + 1023) as u64) << 52)
 }

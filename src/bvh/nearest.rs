@@ -1,89 +1,120 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Best-first descent to the nearest primitive. Every prune is strict and the bound that a leaf gives
-//! allows for its own rounding, so the answer is the brute-force one to the bit.
+//! Best-first descent to the nearest primitive. Boxes are tested in f32 with room for its rounding, every
+//! prune is strict, and the bound that a leaf gives allows for the leaf's own rounding, so the answer is
+//! the brute-force one to the bit.
 
 use super::{LEAF, Node, Tree};
-use crate::math::Vec3;
+use crate::math::{Vec3, f32_above};
 use crate::simd::lanes::WIDTH;
 
 /// What a leaf does with the search: lowers its bound when it finds something nearer.
 pub(crate) trait LeafDistance {
-    /// Looks at a leaf; the [`key`] of the distance beyond which nothing is of interest any more, widened
-    /// by the rounding of the primitives' distances. That of boxes is some units of the tree's diagonal.
+    /// Looks at a leaf; the distance beyond which nothing is of interest any more, widened by the rounding of
+    /// the primitives' own distances.
     fn visit(&mut self, leaf: usize) -> f64;
-}
-
-/// Signed distances by their signed squares, which order alike and need no root.
-#[inline(always)]
-pub(crate) fn key(distance: f64) -> f64 {
-    distance * distance.abs()
 }
 
 /// Room for the deepest tree: 16 levels by cost, then halves (31 binary levels, 3 to a node), 7
 /// siblings waiting on each.
-const STACK: usize = 7 * (16 + 12) + 8;
+const DEEPEST: usize = 7 * (16 + 12) + 8;
+
+/// Room for nine levels; clearing more than is needed costs as much as a node.
+const COMMON: usize = 64;
 
 /// Visits leaves until none can hold anything nearer than the bound, which starts as given. Boxes around
 /// the point are at distance zero, or, where `SIGNED`, at minus the distance to their nearest face.
 #[inline(always)]
 pub(crate) fn nearest<const SIGNED: bool>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
-    let at = p - tree.center;
-    let mut bound = start;
-    // Two arrays: one of pairs would be cleared element by element.
-    let (mut keys, mut waiting) = ([f64::NEG_INFINITY; STACK], [0u32; STACK]);
+    match 7 * tree.depth < COMMON {
+        true => search::<SIGNED, COMMON>(tree, p, start, leaf),
+        false => search_deep::<SIGNED>(tree, p, start, leaf),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn search_deep<const SIGNED: bool>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
+    search::<SIGNED, DEEPEST>(tree, p, start, leaf);
+}
+
+#[inline(always)]
+fn search<const SIGNED: bool, const STACK: usize>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
+    let at = (p - tree.center) * tree.scale;
+    // Room for the rounding of the point, of the differences and of the squares to f32: boxes are within 1.
+    let room = 1e-6 * (1.0 + at.abs().max_element());
+    let at = [at.x as f32, at.y as f32, at.z as f32];
+    let limit = |distance: f64| {
+        let distance = distance * tree.scale + room;
+        let key = distance * distance.abs();
+        order(f32_above(key + key.abs() * 1e-6))
+    };
+    let mut bound = limit(start);
+    // The key in order above, the child below: one number to compare and to move.
+    let mut waiting = [0i64; STACK];
+    waiting[0] = i64::from(i32::MIN) << 32;
     let mut top = 1;
     while top > 0 {
         top -= 1;
-        if keys[top] > bound {
+        if (waiting[top] >> 32) as i32 > bound {
             continue;
         }
-        let child = waiting[top];
+        let child = waiting[top] as u32;
         if child & LEAF != 0 {
-            bound = leaf.visit((child & !LEAF) as usize);
+            bound = limit(leaf.visit((child & !LEAF) as usize));
             continue;
         }
         let node = &tree.nodes[child as usize];
-        let distance = box_keys::<SIGNED>(node, at);
-        let first = top;
+        let keys = box_keys::<SIGNED>(node, at);
+        let mut near = 0u32;
         for k in 0..WIDTH {
             // An unused child is infinitely far, but so may be everything: test the reference too.
-            if distance[k] > bound || node.child[k] == u32::MAX {
-                continue;
-            }
+            near |= u32::from(keys[k] <= bound && node.child[k] != u32::MAX) << k;
+        }
+        let first = top;
+        while near != 0 {
+            let k = near.trailing_zeros() as usize & (WIDTH - 1);
+            near &= near - 1;
+            let entry = i64::from(keys[k]) << 32 | i64::from(node.child[k]);
             // Insert so that the nearest ends on top.
             let mut i = top;
-            while i > first && keys[i - 1] < distance[k] {
-                (keys[i], waiting[i]) = (keys[i - 1], waiting[i - 1]);
+            while i > first && waiting[i - 1] < entry {
+                waiting[i] = waiting[i - 1];
                 i -= 1;
             }
-            (keys[i], waiting[i]) = (distance[k], node.child[k]);
+            waiting[i] = entry;
             top += 1;
         }
     }
 }
 
-/// Key of the distance from a point, relative to the tree's centre, to each box.
+/// Numbers that compare as integers in the order of the floats; NaN is not among them.
 #[inline(always)]
-fn box_keys<const SIGNED: bool>(node: &Node, at: Vec3) -> [f64; WIDTH] {
-    let mut out = [0.0; WIDTH];
-    let mut deepest = [f64::NEG_INFINITY; WIDTH];
-    let at = at.to_array();
+fn order(x: f32) -> i32 {
+    let bits = x.to_bits() as i32;
+    bits ^ ((bits >> 31) & i32::MAX)
+}
+
+/// Signed square, in order, of the distance from a point to each box.
+#[inline(always)]
+fn box_keys<const SIGNED: bool>(node: &Node, at: [f32; 3]) -> [i32; WIDTH] {
+    let mut squared = [0.0f32; WIDTH];
+    let mut deepest = [f32::NEG_INFINITY; WIDTH];
     for axis in 0..3 {
         for k in 0..WIDTH {
-            let below = f64::from(node.lo[axis][k]) - at[axis];
-            let above = at[axis] - f64::from(node.hi[axis][k]);
+            let below = node.lo[axis][k] - at[axis];
+            let above = at[axis] - node.hi[axis][k];
             let outside = if below > above { below } else { above };
             if SIGNED {
                 deepest[k] = if outside > deepest[k] { outside } else { deepest[k] };
             }
             let outside = if outside > 0.0 { outside } else { 0.0 };
-            out[k] += outside * outside;
+            squared[k] += outside * outside;
         }
     }
-    if SIGNED {
-        for k in 0..WIDTH {
-            out[k] = if deepest[k] < 0.0 { -(deepest[k] * deepest[k]) } else { out[k] };
-        }
+    let mut keys = [0; WIDTH];
+    for k in 0..WIDTH {
+        let inside = SIGNED && deepest[k] < 0.0;
+        keys[k] = order(if inside { -(deepest[k] * deepest[k]) } else { squared[k] });
     }
-    out
+    keys
 }

@@ -9,14 +9,19 @@ impl Tree {
     /// Calls `visit` for every leaf that may hold a primitive whose box meets `region` (closed, possibly
     /// infinite).
     pub(crate) fn overlapping(&self, region: Aabb, mut visit: impl FnMut(usize)) {
-        let (lo, hi) = ((region.lo - self.center).to_array(), (region.hi - self.center).to_array());
+        // Rounded outward like the boxes: what meets still meets.
+        let (lo, hi) = self.relative(region);
         let mut stack = vec![0u32];
         while let Some(at) = stack.pop() {
             let node = &self.nodes[at as usize];
+            let mut meets = [true; WIDTH];
+            for axis in 0..3 {
+                for k in 0..WIDTH {
+                    meets[k] &= node.lo[axis][k] <= hi[axis] && lo[axis] <= node.hi[axis][k];
+                }
+            }
             for k in 0..WIDTH {
-                let meets = (0..3)
-                    .all(|axis| f64::from(node.lo[axis][k]) <= hi[axis] && lo[axis] <= f64::from(node.hi[axis][k]));
-                if !meets || node.child[k] == u32::MAX {
+                if !meets[k] || node.child[k] == u32::MAX {
                     continue;
                 }
                 if node.child[k] & LEAF != 0 {

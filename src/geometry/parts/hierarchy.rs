@@ -4,7 +4,7 @@
 
 use super::around;
 use super::spheres::Block;
-use crate::bvh::{self, LEAF_SIZE, Tree};
+use crate::bvh::{LEAF_SIZE, Tree};
 use crate::error::{Result, try_with_capacity};
 use crate::geometry::Geometry;
 use crate::geometry::node::Node;
@@ -89,7 +89,7 @@ impl Hierarchy {
         self.beside.binary_search(&(part as u32)).is_ok()
     }
 
-    /// The key of the distance to a box beyond which every part's value, as computed for a point with
+    /// The distance to a box beyond which every part's value, as computed for a point with
     /// coordinates up to `extent`, is above `value`.
     #[inline(always)]
     pub(super) fn bound(&self, value: f64, extent: f64) -> f64 {
@@ -98,7 +98,7 @@ impl Hierarchy {
         // Outside, a value d says that the body may be spread * d away; inside, the body is no deeper than
         // its box.
         let reach = if reach > 0.0 { reach * self.spread } else { reach };
-        bvh::key(reach + margin + reach.abs() * 1e-14)
+        reach + margin + reach.abs() * 1e-14
     }
 
     /// Calls `visit` for the parts in no order, of which some may not meet the box.

@@ -83,7 +83,7 @@ impl LeafDistance for Leaf<'_> {
             self.best.offer(foot.squared.0[k], block.triangle[k]);
         }
         let d = self.best.squared.sqrt();
-        bvh::key(d + 2.0 * RELATIVE_ERROR * (d + self.diagonal))
+        d + 2.0 * RELATIVE_ERROR * (d + self.diagonal)
     }
 }
 

