@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Bodies in closed form and sampled ones: the leaves of the tree that need no mesh. One shape a file.
 
+mod axis;
+//EXPR mod expression;
+mod grid;
+mod height_field;
+mod pyramid;
+#[cfg(test)]
+mod samples;
+
+//EXPR pub use expression::ExpressionOptions;
+//EXPR pub(crate) use expression::Expression;
+pub(crate) use grid::Grid;
+pub(crate) use height_field::HeightField;
+
 use crate::math::{Aabb, Interval, Vec3};
 
 /// A leaf that knows its value, its gradient and the facts that the tree above it needs.
