@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Constructors: arguments checked, chains of placements collapsed, nesting bounded.
 
+mod sampled;
+
 use super::node::Node;
 use super::placement::Placement;
 use super::properties::{Function, FunctionOptions, SdfOptions};

@@ -2,15 +2,15 @@
 //! Bodies in closed form and sampled ones: the leaves of the tree that need no mesh. One shape a file.
 
 mod axis;
-//EXPR mod expression;
+mod expression;
 mod grid;
 mod height_field;
 mod pyramid;
 #[cfg(test)]
 mod samples;
 
-//EXPR pub use expression::ExpressionOptions;
-//EXPR pub(crate) use expression::Expression;
+pub(crate) use expression::Expression;
+pub use expression::ExpressionOptions;
 pub(crate) use grid::Grid;
 pub(crate) use height_field::HeightField;
 
