@@ -55,7 +55,10 @@ fn values(g: &Geometry, p: &[Vec3]) -> (f64, Vec<f64>) {
     let out = std::sync::Mutex::new(vec![0.0; p.len()]);
     let time = median(|| {
         seconds(|| {
-            query::values(g, &source, &Run::SERIAL, &|start, v| out.lock().unwrap()[start..start + v.len()].copy_from_slice(v)).unwrap()
+            query::values(g, &source, &Run::SERIAL, &|start, v| {
+                out.lock().unwrap()[start..start + v.len()].copy_from_slice(v)
+            })
+            .unwrap()
         })
         .0
     });
@@ -69,7 +72,10 @@ fn axis(n: usize, lo: f64, hi: f64) -> Vec<f64> {
 fn fill(g: &Geometry, n: usize, axes: [&[f64]; 3]) -> f64 {
     let lattice = Lattice::new(axes[0], axes[1], axes[2]).unwrap();
     let sum = std::sync::Mutex::new(0.0);
-    let time = seconds(|| query::fill(g, &lattice, FillMode::Exact, &Run::SERIAL, &|_, v| *sum.lock().unwrap() += v[0]).unwrap()).0;
+    let time = seconds(|| {
+        query::fill(g, &lattice, FillMode::Exact, &Run::SERIAL, &|_, v| *sum.lock().unwrap() += v[0]).unwrap()
+    })
+    .0;
     black_box(sum.into_inner().unwrap());
     let _ = n;
     time
@@ -83,11 +89,15 @@ fn balls(name: &str, side: i32, spacing: f64, radius: f64) {
             all.extend((0..side).map(|i| Ball { center: Vec3::new(place(i), place(j), place(k)), radius }));
         }
     }
-    let (make, parts) = seconds(|| {
-        all.iter().map(|b| Geometry::sphere(b.center.to_array(), b.radius).unwrap()).collect::<Vec<_>>()
-    });
+    let (make, parts) =
+        seconds(|| all.iter().map(|b| Geometry::sphere(b.center.to_array(), b.radius).unwrap()).collect::<Vec<_>>());
     let (build, g) = seconds(|| Geometry::union(&parts).unwrap());
-    println!("{name}: {} balls made in {make:.3} s, union built in {build:.3} s, kind {:?}, {} bytes a ball", all.len(), g.kind(), g.properties().bytes / all.len() as u64);
+    println!(
+        "{name}: {} balls made in {make:.3} s, union built in {build:.3} s, kind {:?}, {} bytes a ball",
+        all.len(),
+        g.kind(),
+        g.properties().bytes / all.len() as u64
+    );
     let reach = 0.6 * spacing * f64::from(side);
     let random = points(200_000, -reach, reach, 1);
     let (time, found) = values(&g, &random);
@@ -95,7 +105,13 @@ fn balls(name: &str, side: i32, spacing: f64, radius: f64) {
     let (slow, expected) = seconds(|| few.iter().map(|p| plain(&all, *p)).collect::<Vec<_>>());
     assert!(expected.iter().zip(&found).all(|(a, b)| a.to_bits() == b.to_bits()), "bits differ");
     let (fast, slow) = (time / random.len() as f64, slow / few.len() as f64);
-    println!("  random query {:.3} us, plain loop {:.1} us: {:.0} times, equal bits at {} points", fast * 1e6, slow * 1e6, slow / fast, few.len());
+    println!(
+        "  random query {:.3} us, plain loop {:.1} us: {:.0} times, equal bits at {} points",
+        fast * 1e6,
+        slow * 1e6,
+        slow / fast,
+        few.len()
+    );
     let cold: Vec<f64> = points(31, -reach, reach, 7)
         .iter()
         .map(|p| {
@@ -156,9 +172,18 @@ fn mesh_scenes(path: &str) {
     let axes: Vec<Vec<f64>> = (0..3).map(|k| axis(128, b.lo[k] - 0.1 * size[k], b.hi[k] + 0.1 * size[k])).collect();
     let axes = [&axes[0][..], &axes[1][..], &axes[2][..]];
     let (alone, with) = (fill(&part, 128, axes), fill(&drilled, 128, axes));
-    println!("{path} less 1,000 cylinders (built in {:.1} ms): fill 128^3 {with:.2} s, the mesh alone {alone:.2} s: {:.2} times", build * 1e3, with / alone);
+    println!(
+        "{path} less 1,000 cylinders (built in {:.1} ms): fill 128^3 {with:.2} s, the mesh alone {alone:.2} s: {:.2} times",
+        build * 1e3,
+        with / alone
+    );
     let copies: Vec<Geometry> = (0..528)
-        .map(|k| part.rotate([1.0, 2.0, 3.0], f64::from(k) * 7.0, [0.0; 3]).unwrap().translate([f64::from(k % 8), f64::from(k / 8 % 8), f64::from(k / 64)]).unwrap())
+        .map(|k| {
+            part.rotate([1.0, 2.0, 3.0], f64::from(k) * 7.0, [0.0; 3])
+                .unwrap()
+                .translate([f64::from(k % 8), f64::from(k / 8 % 8), f64::from(k / 64)])
+                .unwrap()
+        })
         .collect();
     let all = Geometry::union(&copies).unwrap();
     println!(

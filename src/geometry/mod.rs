@@ -27,6 +27,7 @@ pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
 pub use properties::{Accelerator, Function, FunctionOptions, Kind, Open, Properties, SdfOptions, SignMethod};
 pub(crate) use segment::{Change, Event, NO_PART};
+pub use shape::ExpressionOptions;
 
 use crate::math::Aabb;
 use node::Node;

@@ -84,7 +84,11 @@ impl std::ops::Add for Interval {
     type Output = Interval;
 
     fn add(self, other: Interval) -> Interval {
-        Interval { lo: self.lo + other.lo, hi: self.hi + other.hi }.outward()
+        let sum = Interval { lo: self.lo + other.lo, hi: self.hi + other.hi };
+        // A sum that comes out as zero is exact: magnitudes keep their sign.
+        let lo = if sum.lo == 0.0 { 0.0 } else { sum.lo.next_down() };
+        let hi = if sum.hi == 0.0 { 0.0 } else { sum.hi.next_up() };
+        Interval::new(lo, hi)
     }
 }
 
@@ -110,6 +114,9 @@ impl std::ops::Mul for Interval {
         ];
         let lo = all.into_iter().fold(f64::INFINITY, f64::min);
         let hi = all.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        Interval { lo, hi }.outward()
+        let product = Interval { lo, hi }.outward();
+        // Products of magnitudes are none below zero, even where they underflow.
+        let magnitudes = (self.lo >= 0.0 && other.lo >= 0.0) || (self.hi <= 0.0 && other.hi <= 0.0);
+        if magnitudes { Interval { lo: product.lo.max(0.0), hi: product.hi } } else { product }
     }
 }

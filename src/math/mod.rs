@@ -7,12 +7,14 @@
 mod aabb;
 mod double_double;
 mod interval;
+mod interval_functions;
 mod rounding;
 
 pub use aabb::Aabb;
 pub use double_double::{cross_of_differences, volume_of_differences};
 pub use glam::{DMat3 as Mat3, DVec3 as Vec3};
 pub use interval::Interval;
+pub use interval_functions::power;
 pub use rounding::{f32_above, f32_below, f32_same_sign, positive_zero};
 
 /// Euclidean length that neither overflows nor underflows where the result is representable.

@@ -4,6 +4,8 @@
 mod combine;
 mod transform;
 
+mod sampled;
+
 use super::node::Node;
 use super::properties::{Function, FunctionOptions, SdfOptions};
 use super::shape::{Cuboid, Shape, Sphere};

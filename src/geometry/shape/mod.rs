@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Bodies in closed form and sampled ones: the leaves of the tree that need no mesh. One shape a file.
 
+mod axis;
 mod cuboid;
+mod expression;
+mod grid;
+mod height_field;
+mod pyramid;
+#[cfg(test)]
+mod samples;
 mod sphere;
 
 pub(super) use cuboid::Cuboid;
+pub(crate) use expression::Expression;
+pub use expression::ExpressionOptions;
+pub(crate) use grid::Grid;
+pub(crate) use height_field::HeightField;
 pub(super) use sphere::Sphere;
 
 use crate::math::{Aabb, Interval, Vec3};
