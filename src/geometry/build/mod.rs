@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Constructors: arguments checked, chains of placements collapsed, nesting bounded.
 
+mod check;
+mod closed_form;
+
+pub(in crate::geometry) use check::{between, direction, finite_number, half_angle, not_negative, positive};
+
 use super::node::Node;
 use super::placement::Placement;
 use super::properties::{Function, FunctionOptions, SdfOptions};

@@ -1,6 +1,30 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Bodies in closed form and sampled ones: the leaves of the tree that need no mesh. One shape a file.
 
+mod cuboid;
+mod ellipsoid;
+mod extruded;
+mod outline;
+mod perlin;
+mod plane;
+mod profiles;
+mod revolved;
+mod rounded_box;
+mod solids;
+mod sphere;
+mod support;
+#[cfg(test)]
+mod tests;
+
+pub(super) use cuboid::Cuboid;
+pub(super) use ellipsoid::Ellipsoid;
+pub(super) use extruded::Extruded;
+pub(super) use perlin::Perlin;
+pub(super) use plane::Plane;
+pub(super) use revolved::Revolved;
+pub(super) use rounded_box::RoundedBox;
+pub(super) use sphere::Sphere;
+
 use crate::math::{Aabb, Interval, Vec3};
 
 /// A leaf that knows its value, its gradient and the facts that the tree above it needs.
