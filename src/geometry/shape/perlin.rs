@@ -38,7 +38,7 @@ impl Perlin {
         let frequency = Vec3::from_array(frequency) + Vec3::ZERO;
         let shape = Perlin { amplitude, frequency, persistence, octaves, seed, table: noise::permutation(seed) };
         if !shape.facts().lipschitz.is_finite() || !shape.magnitude().is_finite() {
-            return Err(Error::invalid(format!("amplitude: {amplitude} makes values without bound")));
+            return Err(Error::invalid(format!("amplitude: {amplitude:e} makes values without bound")));
         }
         Ok(shape)
     }

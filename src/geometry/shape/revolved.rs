@@ -62,10 +62,12 @@ impl<P: Profile> Shape for Revolved<P> {
     /// On the axis, where every direction across it is as good: one of them.
     fn gradient(&self, p: Vec3) -> Vec3 {
         let (z, off) = self.split(p);
-        let [across_axis, along] = self.profile.gradient(length(off), z);
+        let [from_axis, along] = self.profile.gradient(length(off), z);
         let away = unit(off);
-        let away = if away == Vec3::ZERO { across(self.axis) } else { away };
-        unit(away * across_axis + self.axis * along)
+        // What rounding alone put off the axis may point along it.
+        let away = away - self.axis * away.dot(self.axis);
+        let away = if length(away) < 0.5 { across(self.axis) } else { unit(away) };
+        unit(away * from_axis + self.axis * along)
     }
 
     fn facts(&self) -> Facts {
