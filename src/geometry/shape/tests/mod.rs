@@ -4,6 +4,7 @@
 mod arguments;
 mod cases;
 mod ellipsoid;
+mod extremes;
 mod noise;
 
 use super::{Crossings, Shape};
@@ -188,7 +189,7 @@ fn shape_gradients_are_those_of_the_values() {
 fn shape_bounds_hold_all_that_is_not_outside() {
     each(|case, frame, random| {
         let facts = case.shape.facts();
-        let mut probe = |p: Vec3| {
+        let probe = |p: Vec3| {
             let value = case.shape.value(p);
             assert!(value > 0.0 || facts.bounds.contains(p), "{}: {p} off {:?}", case.name, facts.bounds);
             assert!(value < 0.0 || facts.rest.contains(p), "{}: {p} off {:?}", case.name, facts.rest);
