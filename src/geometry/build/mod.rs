@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Constructors: arguments checked, nesting bounded.
 
+mod check;
+mod closed_form;
 mod combine;
+mod sampled;
 mod transform;
 
-mod sampled;
+pub(in crate::geometry) use check::{between, direction, finite_number, half_angle, not_negative, positive};
 
 use super::node::Node;
 use super::properties::{Function, FunctionOptions, SdfOptions};
@@ -45,10 +48,7 @@ impl Geometry {
     /// A ball. The radius is finite and > 0.
     pub fn sphere(center: [f64; 3], radius: f64) -> Result<Geometry> {
         let center = finite("center", center)?;
-        if !(radius > 0.0 && radius.is_finite()) {
-            return Err(Error::invalid(format!("radius: {radius} is not finite and > 0")));
-        }
-        Geometry::new(Node::Sphere(Sphere { center, radius }))
+        Geometry::new(Node::Sphere(Sphere { center, radius: positive("radius", radius)? }))
     }
 
     /// An axis-aligned box; lo < hi on every axis.
