@@ -13,9 +13,9 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-#[path = "../tests/common/random.rs"]
-mod random;
-use random::Random;
+#[path = "../tests/common/mod.rs"]
+mod common;
+use common::random::Random;
 
 fn seconds<R>(work: impl FnOnce() -> R) -> (f64, R) {
     let start = Instant::now();
