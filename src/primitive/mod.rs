@@ -4,6 +4,10 @@
 pub(crate) mod contact;
 pub(crate) mod crossing;
 pub(crate) mod cuboid;
+pub(crate) mod ellipsoid;
+pub(crate) mod noise;
+pub(crate) mod outline;
 pub(crate) mod polygon;
+pub(crate) mod profile;
 pub(crate) mod sphere;
 pub(crate) mod triangle;

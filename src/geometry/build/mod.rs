@@ -6,6 +6,11 @@ mod transform;
 
 mod sampled;
 
+mod check;
+mod closed_form;
+
+pub(in crate::geometry) use check::{between, direction, finite_number, half_angle, not_negative, positive};
+
 use super::node::Node;
 use super::properties::{Function, FunctionOptions, SdfOptions};
 use super::shape::{Cuboid, Shape, Sphere};

@@ -3,19 +3,37 @@
 
 mod axis;
 mod cuboid;
+mod ellipsoid;
 mod expression;
+mod extruded;
 mod grid;
 mod height_field;
+mod outline;
+mod perlin;
+mod plane;
+mod profiles;
 mod pyramid;
+mod revolved;
+mod rounded_box;
 #[cfg(test)]
 mod samples;
+mod solids;
 mod sphere;
+mod support;
+#[cfg(test)]
+mod tests;
 
 pub(super) use cuboid::Cuboid;
+pub(super) use ellipsoid::Ellipsoid;
 pub(crate) use expression::Expression;
 pub use expression::ExpressionOptions;
+pub(super) use extruded::Extruded;
 pub(crate) use grid::Grid;
 pub(crate) use height_field::HeightField;
+pub(super) use perlin::Perlin;
+pub(super) use plane::Plane;
+pub(super) use revolved::Revolved;
+pub(super) use rounded_box::RoundedBox;
 pub(super) use sphere::Sphere;
 
 use crate::math::{Aabb, Interval, Vec3};

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The ellipsoid in any orientation.
+
+use super::rounded_box::placement;
+use super::support::{UNIT, box_around, numbers};
+use super::{Facts, Shape};
+use crate::error::Result;
+use crate::geometry::build::positive;
+use crate::geometry::placement::Placement;
+use crate::math::Vec3;
+use crate::primitive::ellipsoid;
+
+pub(in crate::geometry) struct Ellipsoid {
+    place: Placement,
+    body: ellipsoid::Ellipsoid,
+}
+
+impl Ellipsoid {
+    pub(in crate::geometry) fn new(center: [f64; 3], axes: [f64; 3], rotation: Option<[f64; 9]>) -> Result<Ellipsoid> {
+        let place = placement(center, "center", rotation)?;
+        for (k, &e) in axes.iter().enumerate() {
+            positive(&format!("axes[{k}]"), e)?;
+        }
+        Ok(Ellipsoid { place, body: ellipsoid::Ellipsoid::new(Vec3::from_array(axes)) })
+    }
+}
+
+impl Shape for Ellipsoid {
+    fn value(&self, p: Vec3) -> f64 {
+        self.body.value(self.place.to_body(p))
+    }
+
+    fn gradient(&self, p: Vec3) -> Vec3 {
+        self.place.direction(self.body.gradient(self.place.to_body(p)))
+    }
+
+    /// The root is stable: an error in its equation is one of the surface, along its normal, of the same
+    /// share of the greatest axis, whatever the ratio of the axes is.
+    fn facts(&self) -> Facts {
+        let axes = self.body.axes();
+        let (least, most) = (axes.min_element(), axes.max_element());
+        let bounds = self.place.box_to_space(box_around(Vec3::ZERO, axes, axes, most));
+        let rounding = (UNIT, UNIT * (self.place.shift().abs().max_element() + most));
+        Facts { reach_inward: least * (least / most), rounding, ..Facts::convex(bounds, most) }
+    }
+
+    fn words(&self, add: &mut dyn FnMut(u64)) {
+        add(28);
+        numbers(add, self.place.numbers().chain(self.body.axes().to_array()));
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<Ellipsoid>()
+    }
+}

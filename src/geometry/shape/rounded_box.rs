@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! A box in any orientation, its edges rounded or not: the distance to its core less the rounding, exact
+//! inside too because both only move planes.
+
+use super::support::{UNIT, box_around, numbers};
+use super::{Facts, Shape};
+use crate::error::{Error, Result};
+use crate::geometry::build::{finite, not_negative, positive};
+use crate::geometry::placement::Placement;
+use crate::math::{Aabb, Mat3, Vec3};
+use crate::primitive::cuboid;
+
+pub(in crate::geometry) struct RoundedBox {
+    place: Placement,
+    core: Aabb,
+    radius: f64,
+}
+
+impl RoundedBox {
+    /// `half` are the outer half sizes, the rounding included.
+    pub(in crate::geometry) fn new(
+        center: [f64; 3],
+        half: [f64; 3],
+        radius: f64,
+        rotation: Option<[f64; 9]>,
+    ) -> Result<RoundedBox> {
+        let place = placement(center, "center", rotation)?;
+        for (k, &h) in half.iter().enumerate() {
+            positive(&format!("half[{k}]"), h)?;
+        }
+        let half = Vec3::from_array(half);
+        let (radius, most) = (not_negative("radius", radius)?, half.min_element());
+        if radius > most {
+            return Err(Error::invalid(format!("radius: {radius} is above the least half size {most}")));
+        }
+        let core = half - Vec3::splat(radius);
+        Ok(RoundedBox { place, core: Aabb::new(-core, core), radius })
+    }
+}
+
+/// The frame at `origin` turned by `rotation`.
+pub(super) fn placement(origin: [f64; 3], name: &str, rotation: Option<[f64; 9]>) -> Result<Placement> {
+    Placement::new(rotation.unwrap_or(Mat3::IDENTITY.to_cols_array()), finite(name, origin)?)
+}
+
+impl Shape for RoundedBox {
+    fn value(&self, p: Vec3) -> f64 {
+        cuboid::value(self.core, self.place.to_body(p)) - self.radius
+    }
+
+    fn gradient(&self, p: Vec3) -> Vec3 {
+        self.place.direction(cuboid::gradient(self.core, self.place.to_body(p)))
+    }
+
+    fn facts(&self) -> Facts {
+        let half = self.core.hi + Vec3::splat(self.radius);
+        let (size, shift) = (half.dot(Vec3::ONE), self.place.shift().abs().max_element());
+        let bounds = self.place.box_to_space(box_around(Vec3::ZERO, half, half, size));
+        let rounding = (UNIT, UNIT * (shift + size));
+        Facts { reach_inward: self.radius, rounding, ..Facts::convex(bounds, size) }
+    }
+
+    fn words(&self, add: &mut dyn FnMut(u64)) {
+        add(26);
+        numbers(add, self.place.numbers().chain(self.core.hi.to_array()).chain([self.radius]));
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<RoundedBox>()
+    }
+}
