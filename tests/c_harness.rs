@@ -145,7 +145,10 @@ fn structs_have_one_layout_on_both_sides() {
         triangles, boundary_edges, nonmanifold_edges, inconsistent_edges, degenerate_faces, duplicate_faces,
         self_intersections, volume, area, lo, hi);
     layout!(lines, emb_sdf_options: struct_size, sign, open, axis, accelerator, open_lo, open_hi);
-    layout!(lines, emb_callback_options: struct_size, lo, hi, lipschitz, gradient_step, kind, thread_safe);
+    layout!(lines, emb_callback_options: struct_size, lo, hi, lipschitz, gradient_step, kind, thread_safe, values,
+        gradient, range);
+    layout!(lines, emb_expression_options: struct_size, lo, hi, lipschitz);
+    layout!(lines, emb_blend: struct_size, kind, thread_safe, width, blend, user, drop, support, depth, lipschitz);
     layout!(lines, emb_geom_properties: struct_size, kind, sign_method, lipschitz, primitives, bytes);
     layout!(lines, emb_closest_out: struct_size, value, point, gradient, barycentric, vector_stride, primitive,
         part, tag, feature);
