@@ -4,7 +4,7 @@
 //! a mesh with a thousand drilled holes, a mesh placed 528 times. With a path, that mesh is used.
 
 use embound::geometry::{Geometry, SdfOptions};
-use embound::io;
+use embound::io::{self, Format};
 use embound::math::Vec3;
 use embound::mesh::{Mesh, MeshOptions};
 use embound::parallel::Run;
@@ -13,9 +13,9 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-#[path = "../tests/common/random.rs"]
-mod random;
-use random::Random;
+#[path = "../tests/common/mod.rs"]
+mod common;
+use common::random::Random;
 
 fn seconds<R>(work: impl FnOnce() -> R) -> (f64, R) {
     let start = Instant::now();
@@ -154,9 +154,8 @@ fn moving() {
     }
 }
 
-#[cfg(any())]
 fn mesh_scenes(path: &str) {
-    let mesh: Mesh = io::read(Path::new(path), &MeshOptions::default(), &Run::SERIAL).unwrap();
+    let mesh: Mesh = io::read(Path::new(path), Format::Detect, &MeshOptions::default()).unwrap();
     let part = Geometry::from_mesh(&mesh, &SdfOptions::default(), &Run::SERIAL).unwrap();
     let b = part.bounds();
     let size = b.hi - b.lo;
@@ -199,6 +198,6 @@ fn main() {
     balls("a million unit balls", 100, 3.0, 1.0);
     moving();
     if let Some(path) = std::env::args().skip(1).find(|a| !a.starts_with("--")) {
-        let _ = path;
+        mesh_scenes(&path);
     }
 }

@@ -21,6 +21,9 @@ const DEEPEST: usize = 7 * (16 + 12) + 8;
 /// Room for nine levels; clearing more than is needed costs as much as a node.
 const COMMON: usize = 64;
 
+/// The bound while nothing is known: infinity, in order.
+const UNBOUNDED: i32 = f32::INFINITY.to_bits() as i32;
+
 /// Visits leaves until none can hold anything nearer than the bound, which starts as given. Boxes around
 /// the point are at distance zero, or, where `SIGNED`, at minus the distance to their nearest face.
 #[inline(always)]
@@ -65,16 +68,33 @@ fn search<const SIGNED: bool, const STACK: usize>(tree: &Tree, p: Vec3, start: f
         }
         let node = &tree.nodes[child as usize];
         let keys = box_keys::<SIGNED>(node, at);
-        let mut near = 0u32;
+        let mut entries = [0i64; WIDTH];
         for k in 0..WIDTH {
-            // An unused child is infinitely far, but so may be everything: test the reference too.
-            near |= u32::from(keys[k] <= bound && node.child[k] != u32::MAX) << k;
+            entries[k] = i64::from(keys[k]) << 32 | i64::from(node.child[k]);
+        }
+        if bound == UNBOUNDED {
+            // The way down to the first leaf: all children are of interest, and sorting them would cost more
+            // than what their order saves. Only the nearest goes on top.
+            let first = top;
+            for entry in entries {
+                waiting[top] = entry;
+                // An unused child.
+                top += usize::from(entry as u32 != u32::MAX);
+            }
+            let mut nearest = first;
+            for k in first + 1..top {
+                nearest = if waiting[k] < waiting[nearest] { k } else { nearest };
+            }
+            waiting.swap(nearest, top - 1);
+            continue;
         }
         let first = top;
-        while near != 0 {
-            let k = near.trailing_zeros() as usize & (WIDTH - 1);
-            near &= near - 1;
-            let entry = i64::from(keys[k]) << 32 | i64::from(node.child[k]);
+        for k in 0..WIDTH {
+            let entry = entries[k];
+            // An unused child is infinitely far, but so may be everything: test the reference too.
+            if keys[k] > bound || entry as u32 == u32::MAX {
+                continue;
+            }
             // Insert so that the nearest ends on top.
             let mut i = top;
             while i > first && waiting[i - 1] < entry {

@@ -60,7 +60,7 @@ impl Interval {
     /// The product of `n` factors, multiplied as [`power`] does.
     pub fn power(self, n: u32) -> Interval {
         let of = |x: f64| power(Interval::point(x.abs()), Interval::point(1.0), n);
-        if n % 2 == 0 {
+        if n.is_multiple_of(2) {
             let size = self.abs();
             return of(size.lo).hull(of(size.hi));
         }

@@ -2,14 +2,8 @@
 //! Signed distance to a simple polygon in the plane: the nearest edge, the sign by crossings of a ray with
 //! exact predicates (Shewchuk 1997), and the exact tests that a polygon is simple.
 
+use super::polygon::turn;
 use super::profile::{length2, unit2};
-use robust::{Coord, orient2d};
-
-/// Twice the signed area of a, b, c; its sign is exact.
-pub(crate) fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
-    let coordinate = |p: [f64; 2]| Coord { x: p[0], y: p[1] };
-    orient2d(coordinate(a), coordinate(b), coordinate(c))
-}
 
 /// Whether two closed segments share a point.
 pub(crate) fn segments_meet(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> bool {

@@ -62,7 +62,8 @@ fn corner_at(ring: &[u32], k: usize) -> [u32; 3] {
     [ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n]]
 }
 
-fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+/// Twice the signed area of a, b, c; its sign is exact.
+pub(crate) fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     let coordinate = |p: [f64; 2]| Coord { x: p[0], y: p[1] };
     orient2d(coordinate(a), coordinate(b), coordinate(c))
 }

@@ -117,11 +117,11 @@ impl Cone {
             return inside;
         }
         let base = length2((r - self.radius).max(0.0), beyond);
-        self.to_side(r, z, above).min(base)
+        self.side_distance(r, z, above).min(base)
     }
 
     /// Distance from a point outside to the side.
-    fn to_side(&self, r: f64, z: f64, above: f64) -> f64 {
+    fn side_distance(&self, r: f64, z: f64, above: f64) -> f64 {
         let along = self.wedge.along(r, z);
         if along <= 0.0 {
             length2(r, z)
@@ -141,7 +141,7 @@ impl Cone {
         }
         let base = length2((r - self.radius).max(0.0), beyond);
         let along = self.wedge.along(r, z);
-        if base <= self.to_side(r, z, above) {
+        if base <= self.side_distance(r, z, above) {
             unit2((r - self.radius).max(0.0), beyond, [0.0, 1.0])
         } else if along <= 0.0 {
             unit2(r, z, side)

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Constructors: arguments checked, nesting bounded.
 
-mod combine;
-mod transform;
-
-mod sampled;
-
 mod check;
 mod closed_form;
+mod combine;
+mod sampled;
+mod transform;
 
 pub(in crate::geometry) use check::{between, direction, finite_number, half_angle, not_negative, positive};
 
@@ -18,7 +16,7 @@ use super::summary::Summary;
 use super::surface::Surface;
 use super::{Geometry, Inner};
 use crate::error::{Error, Result};
-use crate::math::{Aabb, Vec3};
+use crate::math::Vec3;
 use crate::mesh::Mesh;
 use crate::parallel::Run;
 use std::sync::Arc;
@@ -49,20 +47,12 @@ impl Geometry {
 
     /// A ball. The radius is finite and > 0.
     pub fn sphere(center: [f64; 3], radius: f64) -> Result<Geometry> {
-        let center = finite("center", center)?;
-        if !(radius > 0.0 && radius.is_finite()) {
-            return Err(Error::invalid(format!("radius: {radius} is not finite and > 0")));
-        }
-        Geometry::new(Node::Sphere(Sphere { center, radius }))
+        Geometry::new(Node::Sphere(Sphere::new(center, radius)?))
     }
 
     /// An axis-aligned box; lo < hi on every axis.
     pub fn cuboid(lo: [f64; 3], hi: [f64; 3]) -> Result<Geometry> {
-        let b = Aabb::new(finite("lo", lo)?, finite("hi", hi)?);
-        match (0..3).find(|&k| b.lo[k] >= b.hi[k]) {
-            Some(k) => Err(Error::invalid(format!("hi[{k}]: {} is not above lo[{k}] = {}", b.hi[k], b.lo[k]))),
-            None => Geometry::leaf(Box::new(Cuboid(b))),
-        }
+        Geometry::leaf(Box::new(Cuboid::new(lo, hi)?))
     }
 
     /// Labelled: the innermost label wins.

@@ -29,7 +29,7 @@ impl Geometry {
 
     /// A body where an expression of x, y and z is negative, such as `sqrt(x^2+y^2) - 0.3*sin(4*z)`.
     ///
-    /// Operators `+ - * / ^` with the usual priorities: `-x^2` is -(x^2), and `a^b^c` needs parentheses. Numbers
+    /// Operators `+ - * / ^` with the usual priorities: `-x^2` is -(x^2), `a^b^c` is a^(b^c). Numbers
     /// such as `1.5e-3`; the constants `pi` and `e`; the functions `sqrt abs exp ln log10 sin cos tan asin acos
     /// atan sinh cosh tanh`, `pow(a, b)`, `atan2(y, x)`, and `min` and `max` of two or more. A whole exponent up to
     /// 64 multiplies out and takes any base. Values have the same bits on every machine; NaN means that the

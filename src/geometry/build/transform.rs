@@ -2,7 +2,7 @@
 //! Transforms. They act on the body, in the order in which they are called. Chains of placements collapse
 //! into one.
 
-use super::finite;
+use super::{direction, finite, finite_number, positive};
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
 use crate::geometry::level::Level;
@@ -34,10 +34,7 @@ impl Geometry {
 
     /// Rotated by `degrees`, right-handed, about the axis through `point`.
     pub fn rotate(&self, axis: [f64; 3], degrees: f64, point: [f64; 3]) -> Result<Geometry> {
-        if !degrees.is_finite() {
-            return Err(Error::invalid(format!("degrees: {degrees} is not finite")));
-        }
-        let point = finite("point", point)?;
+        let (degrees, point) = (finite_number("degrees", degrees)?, finite("point", point)?);
         self.moved(Placement::turn(direction("axis", axis)?, degrees, point))
     }
 
@@ -94,9 +91,7 @@ impl Geometry {
     /// Grown by `distance`, or shrunk where it is negative: f - distance. Exact where the surface has no edge
     /// or curvature in the way; else a lower bound where the value is 1-Lipschitz.
     pub fn offset(&self, distance: f64) -> Result<Geometry> {
-        if !distance.is_finite() {
-            return Err(Error::invalid(format!("distance: {distance} is not finite")));
-        }
+        let distance = finite_number("distance", distance)?;
         Geometry::new(Node::Level(self.clone(), Level::Offset(distance)))
     }
 
@@ -148,10 +143,7 @@ impl Geometry {
 
     /// Twisted about the z axis by `degrees` a unit of height. Only the sign of its value counts.
     pub fn twist(&self, degrees: f64) -> Result<Geometry> {
-        if !degrees.is_finite() {
-            return Err(Error::invalid(format!("degrees: {degrees} is not finite")));
-        }
-        let rate = degrees * (std::f64::consts::PI / 180.0);
+        let rate = finite_number("degrees", degrees)? * (std::f64::consts::PI / 180.0);
         Geometry::new(Node::Map(self.clone(), Map::Twist(rate)))
     }
 
@@ -171,16 +163,4 @@ impl Geometry {
         }
         Geometry::new(Node::Map(self.clone(), Map::Linear(Linear::slice(origin, u, unit(across)))))
     }
-}
-
-fn positive(name: &str, x: f64) -> Result<f64> {
-    if x > 0.0 && x.is_finite() { Ok(x) } else { Err(Error::invalid(format!("{name}: {x} is not finite and > 0"))) }
-}
-
-fn direction(name: &str, v: [f64; 3]) -> Result<Vec3> {
-    let along = unit(finite(name, v)?);
-    if along == Vec3::ZERO {
-        return Err(Error::invalid(format!("{name}: ({}, {}, {}) has no direction", v[0], v[1], v[2])));
-    }
-    Ok(along)
 }

@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The axis-aligned box.
 
+use super::support::numbers;
 use super::{Crossings, Facts, Shape};
+use crate::error::{Error, Result};
+use crate::geometry::build::finite;
 use crate::math::{Aabb, Vec3};
 use crate::primitive::cuboid;
 
-#[derive(Clone, Copy, Debug)]
-pub(in crate::geometry) struct Cuboid(pub(in crate::geometry) Aabb);
+pub(in crate::geometry) struct Cuboid(pub Aabb);
+
+impl Cuboid {
+    pub(in crate::geometry) fn new(lo: [f64; 3], hi: [f64; 3]) -> Result<Cuboid> {
+        let b = Aabb::new(finite("lo", lo)?, finite("hi", hi)?);
+        match (0..3).find(|&k| b.lo[k] >= b.hi[k]) {
+            Some(k) => Err(Error::invalid(format!("hi[{k}]: {} is not above lo[{k}] = {}", b.hi[k], b.lo[k]))),
+            None => Ok(Cuboid(b)),
+        }
+    }
+}
 
 impl Shape for Cuboid {
     fn value(&self, p: Vec3) -> f64 {
@@ -17,23 +29,20 @@ impl Shape for Cuboid {
         cuboid::gradient(self.0, p)
     }
 
+    /// The sign of the value is exact, and so is the box.
     fn facts(&self) -> Facts {
-        let unit = 16.0 * f64::EPSILON;
         let size = self.0.lo.abs().max(self.0.hi.abs()).max_element();
+        let unit = 16.0 * f64::EPSILON;
         Facts { rounding: (unit, unit * size), ..Facts::convex(self.0, size) }
     }
 
     fn crossings(&self, a: Vec3, b: Vec3) -> Crossings {
-        match cuboid::interval(self.0, a, b) {
-            Some((enter, leave)) => Crossings::Between(enter, leave),
-            None => Crossings::Misses,
-        }
+        cuboid::interval(self.0, a, b).map_or(Crossings::Misses, |(enter, leave)| Crossings::Between(enter, leave))
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
         add(2);
-        let corners = self.0.lo.to_array().into_iter().chain(self.0.hi.to_array());
-        corners.for_each(|x| add((x + 0.0).to_bits()));
+        numbers(add, self.0.lo.to_array().into_iter().chain(self.0.hi.to_array()));
     }
 
     fn bytes(&self) -> usize {

@@ -3,12 +3,12 @@
 
 use super::rounded_box::placement;
 use super::support::{UNIT, box_around, numbers};
-use super::{Facts, Shape};
+use super::{Crossings, Facts, Shape};
 use crate::error::Result;
 use crate::geometry::build::positive;
 use crate::geometry::placement::Placement;
-use crate::math::Vec3;
-use crate::primitive::ellipsoid;
+use crate::math::{Vec3, unit};
+use crate::primitive::{ellipsoid, sphere};
 
 pub(in crate::geometry) struct Ellipsoid {
     place: Placement,
@@ -42,6 +42,17 @@ impl Shape for Ellipsoid {
         let bounds = self.place.box_to_space(box_around(Vec3::ZERO, axes, axes, most));
         let rounding = (UNIT, UNIT * (self.place.shift().abs().max_element() + most));
         Facts { reach_inward: least * (least / most), rounding, ..Facts::convex(bounds, most) }
+    }
+
+    /// In coordinates that make it a ball of radius 1.
+    fn crossings(&self, a: Vec3, b: Vec3) -> Crossings {
+        let axes = self.body.axes();
+        let (a, b) = (self.place.to_body(a) / axes, self.place.to_body(b) / axes);
+        let at = |t: f64| (t, self.place.direction(unit((a + (b - a) * t) / axes)));
+        match sphere::interval(Vec3::ZERO, 1.0, a, b) {
+            Some((enter, leave)) => Crossings::Between(at(enter), at(leave)),
+            None => Crossings::Misses,
+        }
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {

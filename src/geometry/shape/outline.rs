@@ -2,7 +2,8 @@
 //! Simple polygons in the plane: checked exactly, made counter-clockwise, kept as edges.
 
 use crate::error::{Error, Result, try_with_capacity};
-use crate::primitive::outline::{Edge, folds_back, segments_meet, signed, turn};
+use crate::primitive::outline::{Edge, folds_back, segments_meet, signed};
+use crate::primitive::polygon::turn;
 
 /// Most corners: every pair of edges is tested, and each value looks at all of them.
 pub(super) const MAX_CORNERS: usize = 10_000;

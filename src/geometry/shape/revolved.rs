@@ -42,14 +42,11 @@ pub(in crate::geometry) struct Revolved<P> {
 }
 
 impl<P: Profile> Revolved<P> {
-    /// z and the vector from the axis, orthogonal to it. Taking the axis out twice leaves a remainder of the
-    /// size of one rounding of |p - origin|, however near the axis p is (Parlett, "twice is enough").
+    /// z and the vector from the axis, both to a few roundings of |p - origin|.
     fn split(&self, p: Vec3) -> (f64, Vec3) {
         let d = p - self.origin;
         let z = d.dot(self.axis);
-        let off = d - self.axis * z;
-        let more = off.dot(self.axis);
-        (z + more, off - self.axis * more)
+        (z, d - self.axis * z)
     }
 }
 

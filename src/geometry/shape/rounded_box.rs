@@ -3,7 +3,7 @@
 //! inside too because both only move planes.
 
 use super::support::{UNIT, box_around, numbers};
-use super::{Facts, Shape};
+use super::{Crossings, Facts, Shape};
 use crate::error::{Error, Result};
 use crate::geometry::build::{finite, not_negative, positive};
 use crate::geometry::placement::Placement;
@@ -58,6 +58,18 @@ impl Shape for RoundedBox {
         let bounds = self.place.box_to_space(box_around(Vec3::ZERO, half, half, size));
         let rounding = (UNIT, UNIT * (shift + size));
         Facts { reach_inward: self.radius, rounding, ..Facts::convex(bounds, size) }
+    }
+
+    /// Known where the edges are sharp.
+    fn crossings(&self, a: Vec3, b: Vec3) -> Crossings {
+        if self.radius > 0.0 {
+            return Crossings::Unknown;
+        }
+        let at = |(t, normal): (f64, Vec3)| (t, self.place.direction(normal));
+        match cuboid::interval(self.core, self.place.to_body(a), self.place.to_body(b)) {
+            Some((enter, leave)) => Crossings::Between(at(enter), at(leave)),
+            None => Crossings::Misses,
+        }
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {

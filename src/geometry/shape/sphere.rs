@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The ball.
 
+use super::support::{box_around, numbers};
 use super::{Crossings, Facts, Shape};
-use crate::geometry::summary::grown;
-use crate::math::{Aabb, Vec3};
+use crate::error::Result;
+use crate::geometry::build::{finite, positive};
+use crate::math::Vec3;
 use crate::primitive::sphere;
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geometry) struct Sphere {
-    pub(in crate::geometry) center: Vec3,
-    pub(in crate::geometry) radius: f64,
+    pub center: Vec3,
+    pub radius: f64,
+}
+
+impl Sphere {
+    pub(in crate::geometry) fn new(center: [f64; 3], radius: f64) -> Result<Sphere> {
+        Ok(Sphere { center: finite("center", center)?, radius: positive("radius", radius)? })
+    }
 }
 
 impl Shape for Sphere {
@@ -23,25 +31,28 @@ impl Shape for Sphere {
     }
 
     fn facts(&self) -> Facts {
-        let bounds = grown(Aabb::new(self.center, self.center), Vec3::splat(self.radius));
+        let reach = Vec3::splat(self.radius);
         let unit = 16.0 * f64::EPSILON;
-        let rounding = (unit, unit * (self.center.abs().max_element() + self.radius));
-        Facts { reach_inward: self.radius, rounding, ..Facts::convex(bounds, 0.0) }
+        Facts {
+            reach_inward: self.radius,
+            rounding: (unit, unit * (self.center.abs().max_element() + self.radius)),
+            ..Facts::convex(box_around(self.center, reach, reach, 0.0), 0.0)
+        }
     }
 
     fn crossings(&self, a: Vec3, b: Vec3) -> Crossings {
         match sphere::interval(self.center, self.radius, a, b) {
-            Some((enter, leave)) => {
-                let normal = |t: f64| sphere::gradient(self.center, a + (b - a) * t);
-                Crossings::Between((enter, normal(enter)), (leave, normal(leave)))
-            }
             None => Crossings::Misses,
+            Some((enter, leave)) => {
+                let at = |t: f64| (t, sphere::gradient(self.center, a + (b - a) * t));
+                Crossings::Between(at(enter), at(leave))
+            }
         }
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
         add(1);
-        self.center.to_array().iter().chain([&self.radius]).for_each(|x| add((x + 0.0).to_bits()));
+        numbers(add, self.center.to_array().into_iter().chain([self.radius]));
     }
 
     fn bytes(&self) -> usize {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! A body given by an expression of x, y and z, parsed by the crate exmex.
+//! A body given by an expression of x, y and z.
 //!
 //! Within the bounds the value is the expression's. With q the point of the bounds nearest to p, d(p) the signed
 //! distance to the bounds' box and L a Lipschitz constant of the expression within them, the value is
@@ -10,9 +10,9 @@
 
 mod gradient;
 mod number;
+mod parse;
 mod program;
 mod slope;
-mod text;
 
 use super::{Facts, Shape};
 use crate::error::{Error, Result, try_with_capacity};
@@ -59,16 +59,11 @@ impl Expression {
         if !(given >= 0.0 && given.is_finite()) {
             return Err(Error::invalid(format!("options.lipschitz: {given} is not finite and >= 0")));
         }
-        let program = Program::new(text)?;
+        let program = parse::parse(text)?;
         let lipschitz = if given > 0.0 { given } else { slope::lipschitz(&program, bounds) };
         let mut copy = try_with_capacity("bytes", text.len())?;
         copy.extend_from_slice(text.as_bytes());
         Ok(Expression { text: copy, program, bounds, lipschitz })
-    }
-
-    /// A Lipschitz constant of the expression within the bounds, given or found; infinite where unknown.
-    pub(crate) fn lipschitz_within(&self) -> f64 {
-        self.lipschitz
     }
 
     /// The factor of the distance to the bounds: > 0, 1 where no constant is known.
@@ -129,8 +124,8 @@ impl Shape for Expression {
         if self.is_cut(self.bounds.contains(p)) {
             let outside: Gradient<f64> = self.outside(variables(here));
             let flat = gradient == Vec3::ZERO && !self.bounds.contains(p);
-            // Not `>=`: where the expression has no value its bounds have.
-            if flat || !(own.value >= outside.value * self.steep()) {
+            // Where the expression has no value its bounds have.
+            if flat || own.value.is_nan() || own.value < outside.value * self.steep() {
                 gradient = unit(p - Vec3::from_array(near)) * self.steep();
                 if gradient == Vec3::ZERO {
                     gradient =

@@ -18,7 +18,7 @@ fn terrain(nx: usize, ny: usize, scale: f64, seed: u64) -> (Vec<f64>, Vec<f64>, 
     };
     let (x, y) = (axis(nx), axis(ny));
     let mut random = Random(seed + 1);
-    let cliff = |i: usize| if i % 5 == 0 { 3.0 } else { 0.0 };
+    let cliff = |i: usize| if i.is_multiple_of(5) { 3.0 } else { 0.0 };
     let heights = (0..nx * ny).map(|i| scale * (random.unit() + cliff(i))).collect();
     (x, y, heights)
 }

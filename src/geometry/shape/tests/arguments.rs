@@ -96,3 +96,18 @@ fn shape_reach_is_that_of_the_surface() {
     assert_eq!(revolved(&[[0.0, 0.0], [1.0, -1.0], [1.0, 1.0], [0.0, 1.0]]), (0.0, 0.0));
     assert_eq!(revolved(&[[0.5, 0.0], [1.0, 0.0], [1.0, 1.0]]), (0.0, 0.0));
 }
+
+#[test]
+fn shape_words_take_both_zeros_for_one() {
+    let words = |shape: &dyn Shape| {
+        let mut all = Vec::new();
+        shape.words(&mut |word| all.push(word));
+        all
+    };
+    let capsule = |x: f64| words(&Revolved::capsule([x, 0.0, 0.0], [x, x, 1.0], 0.5).unwrap());
+    assert_eq!(capsule(0.0), capsule(-0.0));
+    let polygon = |x: f64| words(&Revolved::polygon(O, Z, &[[x, x], [1.0, x], [0.0, 1.0]]).unwrap());
+    assert_eq!(polygon(0.0), polygon(-0.0));
+    let cuboid = |x: f64| words(&Cuboid::new([x; 3], [1.0; 3]).unwrap());
+    assert_eq!(cuboid(0.0), cuboid(-0.0));
+}

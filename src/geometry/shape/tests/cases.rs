@@ -96,7 +96,9 @@ fn tan(degrees: f64) -> f64 {
     libm::tan(degrees * std::f64::consts::PI / 180.0)
 }
 
-const ALL: [(&str, Make, fn(Vec3) -> bool); 25] = [
+type Entry = (&'static str, Make, fn(Vec3) -> bool);
+
+const ALL: [Entry; 25] = [
     ("ball", |a| boxed(Sphere::new(a.at(0.5, 0.0, 0.0), a.long(0.75))), |p| length(p - Vec3::X * 0.5) < 0.75),
     ("plane", |a| boxed(Plane::new(a.at(0.5, 0.25, 0.0), a.along(0.0, 0.0, -3.0))), |p| p.z > 0.0),
     (

@@ -4,9 +4,10 @@
 mod arguments;
 mod cases;
 mod ellipsoid;
+mod extremes;
 mod noise;
 
-use super::Shape;
+use super::{Crossings, Shape};
 use crate::math::{Mat3, Vec3, length};
 use cases::{Case, cases};
 
@@ -188,7 +189,7 @@ fn shape_gradients_are_those_of_the_values() {
 fn shape_bounds_hold_all_that_is_not_outside() {
     each(|case, frame, random| {
         let facts = case.shape.facts();
-        let mut probe = |p: Vec3| {
+        let probe = |p: Vec3| {
             let value = case.shape.value(p);
             assert!(value > 0.0 || facts.bounds.contains(p), "{}: {p} off {:?}", case.name, facts.bounds);
             assert!(value < 0.0 || facts.rest.contains(p), "{}: {p} off {:?}", case.name, facts.rest);
@@ -226,6 +227,40 @@ fn shape_values_stay_when_all_is_turned_moved_and_scaled() {
             assert!(a * frame.scale == b || (a * frame.scale - b).abs() <= 1e-9 * b, "{}: {a}, {b}", case.name);
         }
     });
+}
+
+#[test]
+fn shape_crossings_are_where_the_value_is_zero() {
+    let mut known = 0;
+    each(|case, frame, random| {
+        for _ in 0..300 {
+            let (from, to) = (frame.out(random.vector() * 2.5), frame.out(random.vector() * 2.5));
+            let facts = case.shape.facts();
+            let bound = facts.rounding.0 * from.abs().max(to.abs()).max_element() + facts.rounding.1;
+            let at = |t: f64| from + (to - from) * t;
+            match case.shape.crossings(from, to) {
+                Crossings::Unknown => return,
+                Crossings::Misses => {
+                    let least = (0..=50).map(|k| case.shape.value(at(f64::from(k) / 50.0))).fold(1e300, f64::min);
+                    assert!(least >= -bound, "{}: {least} between {from} and {to}", case.name);
+                }
+                Crossings::Between((enter, n), (leave, m)) => {
+                    known += 1;
+                    assert!(case.shape.value(at(0.5 * (enter + leave))) <= bound, "{}", case.name);
+                    for (t, normal) in [(enter, n), (leave, m)] {
+                        // The line may be far longer than the segment.
+                        let bound = bound * (2.0 + 2.0 * t.abs());
+                        assert!(case.shape.value(at(t)).abs() <= bound, "{} at {t}", case.name);
+                        assert!((length(normal) - 1.0).abs() < 1e-14, "{}: {normal}", case.name);
+                        let depth = 1e-7 * frame.scale.max(1e-6 * length(frame.shift));
+                        let outside = case.shape.value(at(t) + normal * depth);
+                        assert!((outside - depth).abs() <= 1e-3 * depth + bound, "{} at {t}: {outside}", case.name);
+                    }
+                }
+            }
+        }
+    });
+    assert!(known > 1000, "{known}");
 }
 
 #[test]

@@ -18,7 +18,7 @@ fn shape_noise_keeps_its_bounds() {
         let (mut steepest, mut most) = (0.0f64, 0.0f64);
         for _ in 0..200_000 {
             let a = random.vector() * 100.0;
-            let b = a + random.vector() * if random.word() % 2 == 0 { 0.5 } else { 1e-4 };
+            let b = a + random.vector() * if random.word() & 1 == 0 { 0.5 } else { 1e-4 };
             let (f, g) = (noise.value(a), noise.value(b));
             assert!((f - g).abs() <= facts.lipschitz * length(a - b), "{a} to {b}");
             assert!(range.lo <= f && f <= range.hi, "{a}: {f}");
