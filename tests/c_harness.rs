@@ -94,6 +94,11 @@ fn misuse_is_answered_with_a_status_and_a_message() {
 }
 
 #[test]
+fn misuse_of_constructors_is_answered_with_a_status_and_a_message() {
+    harness("misuse_shapes");
+}
+
+#[test]
 fn values_have_the_same_bits_however_they_are_asked_for() {
     let outputs = harness("values");
     let hash = |text: &str| text.lines().find(|line| line.starts_with("hash ")).map(str::to_owned);
