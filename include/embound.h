@@ -161,6 +161,16 @@
 // Only the sign of the value means anything.
 #define EMB_SIGN_ONLY 2
 
+// min(a, b) - h^2 width / 4, h = max(width - |a - b|, 0) / width (Quilez 2013): values further apart than the width
+// are left alone.
+#define EMB_BLEND_SMOOTH 0
+
+// -width log(exp(-a / width) + exp(-b / width)) (Ricci 1973): smooth everywhere.
+#define EMB_BLEND_EXPONENTIAL 1
+
+// The caller's function.
+#define EMB_BLEND_CUSTOM 2
+
 // emb_geom_fill: the value.
 #define EMB_FILL_EXACT 0
 
@@ -302,6 +312,88 @@ typedef struct emb_sdf_options {
   double open_hi[3];
 } emb_sdf_options;
 
+// What a geometry says of itself.
+typedef struct emb_geom_properties {
+  // sizeof(emb_geom_properties), set by the caller
+  size_t struct_size;
+  // EMB_EXACT, EMB_LOWER_BOUND or EMB_SIGN_ONLY.
+  int32_t kind;
+  // How the sign of the mesh is decided, EMB_SIGN_*; EMB_SIGN_AUTO where there is no mesh, or several
+  // with different methods.
+  int32_t sign_method;
+  // |f(p) - f(q)| <= lipschitz * |p - q|; INFINITY where unknown.
+  double lipschitz;
+  // Triangles and shapes, a shared part as often as it is used.
+  uint64_t primitives;
+  // Memory in bytes, a shared part counted once.
+  uint64_t bytes;
+} emb_geom_properties;
+
+// A tensor grid: the point (i, j, k) is (x[i], y[j], z[k]). Coordinates are the caller's own doubles;
+// the library never recomputes lo + i * dx. Each axis is finite and monotone, rising or falling, repeats
+// allowed. A lattice with a zero in n has no points, and a call on it writes nothing; an axis of length 0
+// may be NULL. z NULL with n[2] = 1 is the plane z = 0.
+typedef struct emb_lattice {
+  // sizeof(emb_lattice)
+  size_t struct_size;
+  // Points along each axis.
+  size_t n[3];
+  // n[0] coordinates.
+  const double *x;
+  // n[1] coordinates.
+  const double *y;
+  // n[2] coordinates, or NULL.
+  const double *z;
+} emb_lattice;
+
+// The caller's array over a lattice: the element of (i, j, k) is data[i*stride[0] + j*stride[1] +
+// k*stride[2]], strides in elements, of either sign. All strides zero: tight, x fastest. Otherwise the
+// axes must nest, in any order: a step along one goes beyond all the elements that the axes of smaller
+// strides reach, so that no element is written twice. data may be NULL where the lattice has no points. An
+// array that is an input is under the same rules and only read.
+typedef struct emb_array {
+  // sizeof(emb_array)
+  size_t struct_size;
+  // The element of (0, 0, 0).
+  void *data;
+  // EMB_F64, EMB_F32, EMB_I32 or EMB_I8.
+  int32_t type;
+  // Elements from one point to the next along each axis.
+  ptrdiff_t stride[3];
+} emb_array;
+
+// What the caller knows of an expression; fill it with emb_expression_options_init.
+typedef struct emb_expression_options {
+  // sizeof(emb_expression_options)
+  size_t struct_size;
+  // Lower corner of a box that the body is cut off at; -INFINITY by default.
+  double lo[3];
+  // Upper corner of that box; +INFINITY by default.
+  double hi[3];
+  // A constant L with |f(p) - f(q)| <= L |p - q| within the box, vouched for by the caller; 0, the default: it is
+  // looked for where the box is finite.
+  double lipschitz;
+} emb_expression_options;
+
+// A user's implicit function at many points: out_values[i] is that at (x[i], y[i], z[i]), i < count, to the bit
+// what the emb_value_fn beside it gives there; NaN, which stands there before, where it fails. The arrays are the
+// library's, live during the call only and do not overlap. It must not throw.
+typedef void (*emb_values_fn)(void *user,
+                              size_t count,
+                              const double *x,
+                              const double *y,
+                              const double *z,
+                              double *out_values);
+
+// The gradient of a user's function: 3 numbers to out_gradient. Nonzero says that it failed, and the gradient is
+// NaN. It must not throw.
+typedef int32_t (*emb_gradient_fn)(void *user, double x, double y, double z, double *out_gradient);
+
+// Numbers between which every value of a user's function in the closed box from lo to hi (3 numbers each, finite)
+// lies, rounding included: to *out_lo and *out_hi. Nonzero, NaN or *out_lo > *out_hi: not known. Boxes are
+// classified and fills pruned by it, so an untrue answer makes wrong ones. It must not throw.
+typedef int32_t (*emb_range_fn)(void *user, const double *lo, const double *hi, double *out_lo, double *out_hi);
+
 // What the caller knows of a function; fill it with emb_callback_options_init.
 typedef struct emb_callback_options {
   // sizeof(emb_callback_options)
@@ -321,28 +413,53 @@ typedef struct emb_callback_options {
   // Nonzero: several threads may call the function at once. 0, the default: only the thread that makes
   // a call, so the call does not share its work.
   int32_t thread_safe;
+  // The function at many points at once; NULL, the default: it is called point by point.
+  emb_values_fn values;
+  // Its gradient; NULL, the default: centred differences of the value.
+  emb_gradient_fn gradient;
+  // Its range over a box; NULL, the default: not known.
+  emb_range_fn range;
 } emb_callback_options;
 
 // A user's implicit function: negative inside the body, positive outside, zero on the surface; NaN
 // where it fails. It must give the same value for the same point every time, and it must not throw.
 typedef double (*emb_value_fn)(void *user, double x, double y, double z);
 
-// What a geometry says of itself.
-typedef struct emb_geom_properties {
-  // sizeof(emb_geom_properties), set by the caller
+// A user's blend of two values a <= b: what stands for the lesser of them in a union. It must rise with either and
+// leave values further apart than emb_blend.support alone. Its derivatives by a and by b go to *out_by_a and
+// *out_by_b; left as they are (NaN), centred differences are taken. NaN says that it failed. It must give the same
+// blend of the same values every time, and must not throw.
+typedef double (*emb_blend_fn)(void *user, double a, double b, double *out_by_a, double *out_by_b);
+
+// How values that are close are blended into one; fill it with emb_blend_init, then set kind and width, or kind and
+// the members from blend on.
+typedef struct emb_blend {
+  // sizeof(emb_blend)
   size_t struct_size;
-  // EMB_EXACT, EMB_LOWER_BOUND or EMB_SIGN_ONLY.
+  // EMB_BLEND_SMOOTH, the default, or another EMB_BLEND_*.
   int32_t kind;
-  // How the sign of the mesh is decided, EMB_SIGN_*; EMB_SIGN_AUTO where there is no mesh, or several
-  // with different methods.
-  int32_t sign_method;
-  // |f(p) - f(q)| <= lipschitz * |p - q|; INFINITY where unknown.
+  // EMB_BLEND_CUSTOM: nonzero: several threads may call `blend` at once. 0, the default: only the thread that
+  // makes a call, so the call does not share its work.
+  int32_t thread_safe;
+  // EMB_BLEND_SMOOTH, EMB_BLEND_EXPONENTIAL: finite and > 0, in units of the values; to be set.
+  double width;
+  // EMB_BLEND_CUSTOM: the function, called with `user` in the floating-point environment of the thread that made
+  // the call. The members below belong to it, and are ignored where kind is another.
+  emb_blend_fn blend;
+  // Handed to `blend` and `drop`.
+  void *user;
+  // Ends `user`, once for each geometry made with this blend, with the last that uses that one; may be NULL. Not
+  // run where the construction failed.
+  emb_drop_fn drop;
+  // Values further apart than this leave the lesser alone; INFINITY, the default: there is no such distance, and
+  // every part is asked for every value. The caller vouches for this and the next two.
+  double support;
+  // The most by which blending any number of values goes below the least of them; INFINITY, the default: not
+  // known, and the bounds of what is made are infinite.
+  double depth;
+  // |blend(a, b) - blend(c, d)| <= lipschitz max(|a - c|, |b - d|); INFINITY, the default: not known.
   double lipschitz;
-  // Triangles and shapes, a shared part as often as it is used.
-  uint64_t primitives;
-  // Memory in bytes, a shared part counted once.
-  uint64_t bytes;
-} emb_geom_properties;
+} emb_blend;
 
 // What emb_geom_closest writes, item i of each array for point i. Every array may be NULL: not wanted. The
 // three components of a vector are three arrays with one stride: three separate arrays with stride 1, or
@@ -376,38 +493,6 @@ typedef struct emb_closest_out {
   // (corners as for barycentric); -1: not a mesh, or none so near.
   int32_t *feature;
 } emb_closest_out;
-
-// A tensor grid: the point (i, j, k) is (x[i], y[j], z[k]). Coordinates are the caller's own doubles;
-// the library never recomputes lo + i * dx. Each axis is finite and monotone, rising or falling, repeats
-// allowed. A lattice with a zero in n has no points, and a call on it writes nothing; an axis of length 0
-// may be NULL. z NULL with n[2] = 1 is the plane z = 0.
-typedef struct emb_lattice {
-  // sizeof(emb_lattice)
-  size_t struct_size;
-  // Points along each axis.
-  size_t n[3];
-  // n[0] coordinates.
-  const double *x;
-  // n[1] coordinates.
-  const double *y;
-  // n[2] coordinates, or NULL.
-  const double *z;
-} emb_lattice;
-
-// The caller's array over a lattice: the element of (i, j, k) is data[i*stride[0] + j*stride[1] +
-// k*stride[2]], strides in elements, of either sign. All strides zero: tight, x fastest. Otherwise the
-// axes must nest, in any order: a step along one goes beyond all the elements that the axes of smaller
-// strides reach, so that no element is written twice. data may be NULL where the lattice has no points.
-typedef struct emb_array {
-  // sizeof(emb_array)
-  size_t struct_size;
-  // The element of (0, 0, 0).
-  void *data;
-  // EMB_F64, EMB_F32, EMB_I32 or EMB_I8.
-  int32_t type;
-  // Elements from one point to the next along each axis.
-  ptrdiff_t stride[3];
-} emb_array;
 
 // What emb_geom_crossings writes, over the n[axis] - 1 edges along the axis and the points of the other two
 // axes. An array whose data is NULL is not wanted, and the rest of it is not looked at. The arrays must not
@@ -581,10 +666,6 @@ void emb_mesh_free(emb_mesh *mesh);
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
 emb_status emb_sdf_options_init(emb_sdf_options *options, size_t size);
 
-// Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
-emb_status emb_callback_options_init(emb_callback_options *options, size_t size);
-
 // The signed distance to a mesh: exact, the same bits with every accelerator, pool and instruction set. The
 // sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they are right everywhere, and
 // of exact crossings elsewhere. `options` may be NULL. The mesh may be freed afterwards. On success *out_geom is
@@ -597,12 +678,317 @@ emb_status emb_geom_from_mesh(const emb_mesh *mesh,
                               const emb_run *run,
                               emb_geom **out_geom);
 
+// The same body, labelled: closest points, crossings and intercepts on it report `part`. Of nested labels the
+// innermost wins. `part` is at least 0, or -1 for none. O(1), shares g.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
+emb_status emb_geom_part(const emb_geom *g, int32_t part, emb_geom **out_geom);
+
+// One more reference to the same geometry, to be freed like the first; NULL for NULL. O(1). Any thread.
+emb_geom *emb_geom_clone(const emb_geom *g);
+
+// Gives up a reference. Geometries built from this one live on. NULL is fine.
+void emb_geom_free(emb_geom *g);
+
+// A number that is equal for equal content, on every rank, instruction set and run; 0 for NULL and for geometries
+// with user functions or blends in them. Cost: linear in the memory of the geometry at most. Any thread.
+uint64_t emb_geom_fingerprint(const emb_geom *g);
+
+// A box around the body: infinite where it is unbounded; lo = +INFINITY, hi = -INFINITY where there is none. O(1).
+// Any thread. Errors: EMB_ERROR_NULL_ARGUMENT.
+emb_status emb_geom_bounds(const emb_geom *g, double out_lo[3], double out_hi[3]);
+
+// Writes what the geometry says of itself to *properties, whose struct_size the caller has set; nothing is
+// written beyond that size. Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (struct_size).
+emb_status emb_geom_properties_get(const emb_geom *g, emb_geom_properties *properties);
+
 // A ball. Exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or radius not > 0).
 emb_status emb_geom_sphere(const double center[3], double radius, emb_geom **out_geom);
 
 // The axis-aligned box [lo, hi], lo < hi. Exact, inside too.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
 emb_status emb_geom_box(const double lo[3], const double hi[3], emb_geom **out_geom);
+
+// The half space behind the plane through `point`: `normal` points out of the body and need not have length 1.
+// Exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, normal zero). O(1).
+emb_status emb_geom_plane(const double point[3], const double normal[3], emb_geom **out_geom);
+
+// A torus: the points within `minor` of the circle of radius `major` around `center`, in the plane across `axis`,
+// which need not have length 1. Exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (unless
+// 0 < minor < major; not finite, axis zero). O(1).
+emb_status emb_geom_torus(const double center[3],
+                          const double axis[3],
+                          double major,
+                          double minor,
+                          emb_geom **out_geom);
+
+// A cylinder with flat ends at `a` and `b`. Exact.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, radius not > 0, a equal to b). O(1).
+emb_status emb_geom_cylinder(const double a[3], const double b[3], double radius, emb_geom **out_geom);
+
+// A cylinder without ends around the line through `point` along `axis`, which need not have length 1. Exact.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, radius not > 0, axis zero). O(1).
+emb_status emb_geom_infinite_cylinder(const double point[3],
+                                      const double axis[3],
+                                      double radius,
+                                      emb_geom **out_geom);
+
+// A capsule: the points within `radius` of the segment from `a` to `b`. Exact.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, radius not > 0, a equal to b). O(1).
+emb_status emb_geom_capsule(const double a[3], const double b[3], double radius, emb_geom **out_geom);
+
+// A capsule by its outermost points: `tip_a` and `tip_b` lie on the surface. Exact.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, radius not > 0, tips not more than two
+// radii apart). O(1).
+emb_status emb_geom_capsule_tips(const double tip_a[3],
+                                 const double tip_b[3],
+                                 double radius,
+                                 emb_geom **out_geom);
+
+// A cone without end: opens from `tip` along `axis`, which need not have length 1; `angle` is the full one between
+// opposite sides, in degrees. Exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (unless
+// 0 < angle < 180; not finite, axis zero). O(1).
+emb_status emb_geom_infinite_cone(const double tip[3], const double axis[3], double angle, emb_geom **out_geom);
+
+// A cone with a flat base: opens from `tip` along `axis`, which need not have length 1, and ends `height` from the
+// tip; `angle` is the full one between opposite sides, in degrees. Exact. Errors: EMB_ERROR_NULL_ARGUMENT,
+// EMB_ERROR_INVALID_ARGUMENT (unless 0 < angle < 180 and height > 0; not finite, axis zero). O(1).
+emb_status emb_geom_cone(const double tip[3],
+                         const double axis[3],
+                         double height,
+                         double angle,
+                         emb_geom **out_geom);
+
+// A box around `center` with its edges and corners rounded by `radius`; `half` are the outer half sizes, the rounding
+// included. `rotation` (row major, a rotation to within 1e-9) turns it around its centre; NULL: sides along the axes.
+// With radius 0 it is a sharp box in any orientation. Exact. Errors: EMB_ERROR_NULL_ARGUMENT,
+// EMB_ERROR_INVALID_ARGUMENT (unless each half size is > 0 and 0 <= radius <= the least of them; not finite, not a
+// rotation). O(1).
+emb_status emb_geom_rounded_box(const double center[3],
+                                const double half[3],
+                                double radius,
+                                const double rotation[9],
+                                emb_geom **out_geom);
+
+// A cylinder around `center` along `axis`, which need not have length 1, with its edges rounded by `rounding`;
+// `radius` and `height` are the outer ones, the rounding included. Exact. Errors: EMB_ERROR_NULL_ARGUMENT,
+// EMB_ERROR_INVALID_ARGUMENT (unless radius and height are > 0 and 0 <= rounding <= the lesser of radius and height/2;
+// not finite, axis zero). O(1).
+emb_status emb_geom_rounded_cylinder(const double center[3],
+                                     const double axis[3],
+                                     double radius,
+                                     double height,
+                                     double rounding,
+                                     emb_geom **out_geom);
+
+// An ellipsoid around `center`. `rotation` (row major, a rotation to within 1e-9) turns it around its centre; NULL:
+// semi-axes along the axes. Exact, inside too, by a root finder that always ends (Eberly 2013).
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, a semi-axis not > 0, not a rotation). O(1).
+emb_status emb_geom_ellipsoid(const double center[3],
+                              const double semi_axes[3],
+                              const double rotation[9],
+                              emb_geom **out_geom);
+
+// A regular prism with flat ends at `a` and `b`: `radius` is that of the circle through its corners, and `toward`
+// points from the axis to the first of them (its part along the axis does not count). Exact.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (unless 3 <= sides <= 1000; not finite, radius not > 0, a
+// equal to b, toward along the axis). Cost: that of a value is linear in the sides.
+emb_status emb_geom_prism(const double a[3],
+                          const double b[3],
+                          const double toward[3],
+                          int32_t sides,
+                          double radius,
+                          emb_geom **out_geom);
+
+// The closed polygon of `count` corners in the plane, drawn from z_lo to z_hi: a point (u, v, z) of this frame comes
+// to rotation * (u, v, z) + origin (row major, a rotation to within 1e-9; NULL: along the axes). `points` holds
+// 2 * count numbers, u and v of each corner, in either order of rotation. Exact.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (fewer than 3 corners, one that repeats the one before, a
+// polygon that touches or crosses itself, tested exactly; z_hi not above z_lo, not finite, not a rotation),
+// EMB_ERROR_UNSUPPORTED (more than 10000 corners), EMB_ERROR_MEMORY. Cost: that of a value is linear in count.
+emb_status emb_geom_extruded_polygon(const double origin[3],
+                                     const double rotation[9],
+                                     size_t count,
+                                     const double *points,
+                                     double z_lo,
+                                     double z_hi,
+                                     emb_geom **out_geom);
+
+// A solid of revolution: the closed polygon of `count` corners turned around `axis`, which need not have length 1.
+// `points` holds 2 * count numbers: of each corner its distance from the axis and its place along it from `origin`, in
+// either order of rotation. Edges on the axis are no surface. Exact.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (fewer than 3 corners, one at a negative distance, one that
+// repeats the one before, a polygon that touches or crosses itself, tested exactly; not finite, axis zero),
+// EMB_ERROR_UNSUPPORTED (more than 10000 corners), EMB_ERROR_MEMORY. Cost: that of a value is linear in count.
+emb_status emb_geom_revolved_polygon(const double origin[3],
+                                     const double axis[3],
+                                     size_t count,
+                                     const double *points,
+                                     emb_geom **out_geom);
+
+// Perlin noise (2002): amplitude times the sum over k < octaves of persistence^k noise(frequency * 2^k * p), the product
+// taken axis by axis. |noise| is mostly below 1 and never above 1.5; it is 0 where all its coordinates are whole and
+// repeats every 256. `seed` shuffles its table. EMB_SIGN_ONLY with a known Lipschitz constant: emb_geom_lower_bound makes a
+// lower bound of the distance of it. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (unless amplitude and
+// persistence are > 0, each frequency is >= 0 and 1 <= octaves <= 16; not finite). Cost: linear in the octaves.
+emb_status emb_geom_perlin(double amplitude,
+                           const double frequency[3],
+                           double persistence,
+                           int32_t octaves,
+                           uint64_t seed,
+                           emb_geom **out_geom);
+
+// Terrain: solid below z = h(x, y), bilinear between `heights`, which is an array of EMB_F64 or EMB_F32 over a
+// lattice of two axes (z NULL, n[2] 1), each of at least two coordinates that rise or fall strictly. Beyond the
+// lattice the edge's heights go on; the body has no end to the sides and below: intersect it with a box. The sign is
+// exactly that of z - h; the value is (z - h) / sqrt(1 + g^2), g the greatest slope: a lower bound of the distance
+// (Hart 1996). The samples are copied. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the lattice, a
+// height that is not finite: `heights[i + nx j]`, a slope above 1e150), EMB_ERROR_MEMORY. Cost: linear in the
+// samples; a value takes O(1) where the axes are even, else O(log n).
+emb_status emb_geom_height_field(const emb_lattice *lattice,
+                                 const emb_array *heights,
+                                 emb_geom **out_geom);
+
+// A function sampled on a lattice, negative inside: trilinear between `values`, which is an array of EMB_F64 or
+// EMB_F32 over it; each axis has at least two coordinates that rise or fall strictly. Beyond the lattice the value is
+// that at its nearest point, so a body that reaches the border goes on without end. The Lipschitz constant comes from
+// the values; where it is at most 1 they are a lower bound of the distance, else EMB_SIGN_ONLY. The samples are
+// copied. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the lattice, a value that is not finite:
+// `values[i + nx (j + ny k)]`, a slope above 1e150), EMB_ERROR_MEMORY. Cost: linear in the samples; a value takes
+// O(1) where the axes are even, else O(log n).
+emb_status emb_geom_grid(const emb_lattice *lattice, const emb_array *values, emb_geom **out_geom);
+
+// Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
+emb_status emb_expression_options_init(emb_expression_options *options, size_t size);
+
+// The body where an expression of x, y and z is negative, such as `sqrt(x^2+y^2) - 0.3*sin(4*z)`: operators + - * / ^
+// with the usual priorities (-x^2 is -(x^2); a^b^c needs parentheses), numbers such as 1.5e-3, the constants pi and e,
+// the functions sqrt abs exp ln log10 sin cos tan asin acos atan sinh cosh tanh, pow(a, b), atan2(y, x), and min and
+// max of two or more. A whole exponent up to 64 multiplies out. At most 65536 bytes and 200 parentheses within each
+// other. Values have the same bits on every machine; where the expression has none, emb_geom_value gives NaN and
+// batches give EMB_ERROR_CALLBACK. The body is cut off at options->lo and hi. A lower bound of the distance where its
+// Lipschitz constant is at most 1, else EMB_SIGN_ONLY. `options` may be NULL.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the options; the text, naming the byte where it is
+// wrong), EMB_ERROR_MEMORY. Cost: linear in the text, and where the Lipschitz constant is looked for up to some
+// thousand evaluations.
+emb_status emb_geom_expression(const char *expression,
+                               const emb_expression_options *options,
+                               emb_geom **out_geom);
+
+// Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
+emb_status emb_callback_options_init(emb_callback_options *options, size_t size);
+
+// A user's function as a geometry. `value` is called with `user` in the floating-point environment of the thread
+// that made the call, and only with finite coordinates; where it returns NaN, emb_geom_value gives NaN and batches
+// give EMB_ERROR_CALLBACK. The functions in `options` are called with the same `user`, in the same environment and
+// by the same threads. `drop` (may be NULL) ends `user` with the last geometry that uses it. `options` may be
+// NULL. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT; then drop is not run. O(1).
+emb_status emb_geom_callback(emb_value_fn value,
+                             void *user,
+                             emb_drop_fn drop,
+                             const emb_callback_options *options,
+                             emb_geom **out_geom);
+
+// The body moved by `shift`. O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
+emb_status emb_geom_translate(const emb_geom *g, const double shift[3], emb_geom **out_geom);
+
+// The body placed rigidly: its point q comes to rotation * q + shift. `rotation` is row major and must be a
+// rotation to within 1e-9 (in each element of its transpose times itself; it is made one to rounding), so bring a
+// matrix that came from floats or was multiplied up over many steps back to one first. O(1), shares g: cheap enough for every time step of a moving body.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or not a rotation).
+emb_status emb_geom_place(const emb_geom *g,
+                          const double rotation[9],
+                          const double shift[3],
+                          emb_geom **out_geom);
+
+// The body turned by `degrees`, right-handed, about the axis through `point` (NULL: the origin) along `axis`, which
+// need not have length 1. O(1), shares g.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, axis zero).
+emb_status emb_geom_rotate(const emb_geom *g,
+                           const double axis[3],
+                           double degrees,
+                           const double point[3],
+                           emb_geom **out_geom);
+
+// The body scaled by `factor` about the origin; values are scaled with it, and one that is exact stays so. O(1),
+// shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, factor not > 0, or with the factors of
+// nested scalings beyond the range of numbers).
+emb_status emb_geom_scale(const emb_geom *g,
+                          double factor,
+                          emb_geom **out_geom);
+
+// The body reflected in a plane of coordinates through the origin: 0 the yz plane (x changes sign), 1 the xz plane, 2
+// the xy plane. O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (plane).
+emb_status emb_geom_reflect(const emb_geom *g, int32_t plane, emb_geom **out_geom);
+
+// The body reflected in the plane through `point` across `normal`, which need not have length 1. O(1), shares g.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, normal zero).
+emb_status emb_geom_reflect_in(const emb_geom *g,
+                               const double point[3],
+                               const double normal[3],
+                               emb_geom **out_geom);
+
+// The body under a linear map: its point q comes to matrix * q + shift (row major; shift NULL: zero). Values are
+// multiplied by the least factor by which the matrix lengthens, so that a distance becomes a lower bound of the distance.
+// O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or a matrix without an inverse to
+// within rounding).
+emb_status emb_geom_affine(const emb_geom *g,
+                           const double matrix[9],
+                           const double shift[3],
+                           emb_geom **out_geom);
+
+// The body grown by `distance`, or shrunk where it is negative: value - distance. Exact where g is and no edge or
+// curvature of its surface is in the way, else a lower bound of the distance where the value is 1-Lipschitz. O(1),
+// shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
+emb_status emb_geom_offset(const emb_geom *g, double distance, emb_geom **out_geom);
+
+// The shell of points within `half_thickness` of the surface: |value| - half_thickness. Exact as emb_geom_offset is.
+// O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, not > 0).
+emb_status emb_geom_annular(const emb_geom *g, double half_thickness, emb_geom **out_geom);
+
+// The same body with its value divided by its Lipschitz constant (Hart 1996): what was EMB_SIGN_ONLY becomes a lower
+// bound of the distance. O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (no constant is known).
+emb_status emb_geom_lower_bound(const emb_geom *g, emb_geom **out_geom);
+
+// The body blurred: the mean of 27 values at 0 and +-h along each axis, where one that is displaced along n axes
+// weighs alpha^(3-n) ((1-alpha)/2)^n. Never exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (h not finite and
+// > 0, alpha not between 0 and 1). Cost: O(1) here, 27 values for one.
+emb_status emb_geom_blur(const emb_geom *g,
+                         double h,
+                         double alpha,
+                         emb_geom **out_geom);
+
+// The body mollified: the mean of the values at samples^3 points evenly in [-d, d] along each axis, with binomial
+// weights. Never exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (d not finite and > 0, samples not between 1
+// and 32), EMB_ERROR_MEMORY. Cost: samples^3 here, as many values for one.
+emb_status emb_geom_mollify(const emb_geom *g,
+                            double d,
+                            int32_t samples,
+                            emb_geom **out_geom);
+
+// The body cut at the coordinate planes and pulled apart by +-extent along each axis: the value at p - clamp(p,
+// -extent, extent). O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, an extent not >= 0).
+emb_status emb_geom_elongate(const emb_geom *g,
+                             const double extent[3],
+                             emb_geom **out_geom);
+
+// The body twisted about the z axis by `degrees` a unit of height, right-handed. EMB_SIGN_ONLY. O(1), shares g.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
+emb_status emb_geom_twist(const emb_geom *g, double degrees, emb_geom **out_geom);
+
+// The section of the body by a plane, as a body of the plane of x and y that is the same at every z: the value at (x,
+// y) is that at origin + x u + y v, where u and v are made unit vectors at a right angle from u_axis and v_axis. O(1),
+// shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, an axis zero, axes parallel).
+emb_status emb_geom_slice(const emb_geom *g,
+                          const double origin[3],
+                          const double u_axis[3],
+                          const double v_axis[3],
+                          emb_geom **out_geom);
+
+// Fills a blend with defaults. `size` is sizeof *blend, as the caller knows it; nothing is written beyond.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
+emb_status emb_blend_init(emb_blend *blend, size_t size);
 
 // The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. The
 // parts live on in it and may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT,
@@ -620,50 +1006,48 @@ emb_status emb_geom_difference(const emb_geom *from, const emb_geom *remove, emb
 // The rest of space: 0 - value. A wall becomes the room in it. Errors: EMB_ERROR_NULL_ARGUMENT.
 emb_status emb_geom_complement(const emb_geom *g, emb_geom **out_geom);
 
-// The body moved by `shift`. O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
-emb_status emb_geom_translate(const emb_geom *g, const double shift[3], emb_geom **out_geom);
+// The points of `from` that are in none of `count` bodies: as emb_geom_difference of their union, over which a
+// hierarchy is built; of none: from. Errors: EMB_ERROR_NULL_ARGUMENT (naming the body), EMB_ERROR_INVALID_ARGUMENT,
+// EMB_ERROR_MEMORY. Cost: n log n in the bodies.
+emb_status emb_geom_difference_of_many(const emb_geom *from,
+                                       size_t count,
+                                       const emb_geom *const *remove,
+                                       emb_geom **out_geom);
 
-// The body placed rigidly: its point q comes to rotation * q + shift. `rotation` is row major and must be a
-// rotation to within 1e-9 (in each element of its transpose times itself; it is made one to rounding), so bring a
-// matrix that came from floats or was multiplied up over many steps back to one first. O(1), shares g: cheap enough for every time step of a moving body.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or not a rotation).
-emb_status emb_geom_place(const emb_geom *g,
-                          const double rotation[9],
-                          const double shift[3],
-                          emb_geom **out_geom);
+// The union of `count` parts with its inner edges filled: values that are close are blended as `blend` says, in
+// rising order, so that the order of the parts makes no difference to the bit. A lower bound of the distance where
+// the parts' values are 1-Lipschitz and the blend is. Labels are those of the part of least value. Errors:
+// EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY. Cost: n log n in the
+// parts; a value asks those within the blend's support.
+emb_status emb_geom_smooth_union(size_t count,
+                                 const emb_geom *const *parts,
+                                 const emb_blend *blend,
+                                 emb_geom **out_geom);
 
-// The same body, labelled: closest points, crossings and intercepts on it report `part`. Of nested labels the
-// innermost wins. `part` is at least 0, or -1 for none. O(1), shares g.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
-emb_status emb_geom_part(const emb_geom *g, int32_t part, emb_geom **out_geom);
+// The intersection of `count` parts with its edges rounded: the complement of the smooth union of their
+// complements, so that the blend gets values of the opposite sign. Otherwise as emb_geom_smooth_union.
+emb_status emb_geom_smooth_intersection(size_t count,
+                                        const emb_geom *const *parts,
+                                        const emb_blend *blend,
+                                        emb_geom **out_geom);
 
-// A user's function as a geometry. `value` is called with `user` in the floating-point environment of the thread
-// that made the call, and only with finite coordinates; where it returns NaN, emb_geom_value gives NaN and batches
-// give EMB_ERROR_CALLBACK. `drop` (may be NULL) ends `user` with the last geometry that uses it. `options` may be
-// NULL. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT; then drop is not run.
-emb_status emb_geom_callback(emb_value_fn value,
-                             void *user,
-                             emb_drop_fn drop,
-                             const emb_callback_options *options,
-                             emb_geom **out_geom);
+// The points of `from` that are in none of `count` bodies, with the edges between them rounded: the complement of
+// the smooth union of from's complement and the bodies. Otherwise as emb_geom_smooth_union.
+emb_status emb_geom_smooth_difference(const emb_geom *from,
+                                      size_t count,
+                                      const emb_geom *const *remove,
+                                      const emb_blend *blend,
+                                      emb_geom **out_geom);
 
-// One more reference to the same geometry, to be freed like the first; NULL for NULL. O(1). Any thread.
-emb_geom *emb_geom_clone(const emb_geom *g);
-
-// Gives up a reference. Geometries built from this one live on. NULL is fine.
-void emb_geom_free(emb_geom *g);
-
-// A number that is equal for equal content, on every rank, instruction set and run; 0 for NULL and for geometries
-// with user functions in them. Cost: linear in the memory of the geometry at most. Any thread.
-uint64_t emb_geom_fingerprint(const emb_geom *g);
-
-// A box around the body: infinite where it is unbounded; lo = +INFINITY, hi = -INFINITY where there is none. O(1).
-// Any thread. Errors: EMB_ERROR_NULL_ARGUMENT.
-emb_status emb_geom_bounds(const emb_geom *g, double out_lo[3], double out_hi[3]);
-
-// Writes what the geometry says of itself to *properties, whose struct_size the caller has set; nothing is
-// written beyond that size. Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (struct_size).
-emb_status emb_geom_properties_get(const emb_geom *g, emb_geom_properties *properties);
+// The union of copies of g at (i period[0], j period[1], k period[2]), 0 <= i < counts[0] and so on, without the
+// copies: of the memory of one, and only those near a point are asked. A period may be negative, or zero where its
+// count is 1. Exact where g is and its bounds are smaller than the period. Labels are g's. O(1), shares g.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, a count below 1),
+// EMB_ERROR_UNSUPPORTED (more than 2^20 copies of a body without bounds, or of which only the sign is known).
+emb_status emb_geom_repeat(const emb_geom *g,
+                           const double period[3],
+                           const int32_t counts[3],
+                           emb_geom **out_geom);
 
 // The value at a point, in units of length where the geometry is exact. It cannot fail: NaN for a coordinate
 // that is not finite, for NULL and where a user's function failed; never -0. The thread's last message stays as it

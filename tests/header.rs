@@ -13,8 +13,24 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 10] =
-    ["constants", "error", "callback", "pool", "run", "writer", "results", "mesh", "geometry", "query"];
+const SOURCES: [&str; 16] = [
+    "constants",
+    "error",
+    "callback",
+    "pool",
+    "run",
+    "writer",
+    "results",
+    "mesh",
+    "geometry",
+    "shapes",
+    "sampled",
+    "function",
+    "transforms",
+    "blend",
+    "combine",
+    "query",
+];
 
 fn generate() -> String {
     let config = cbindgen::Config::from_file(root().join("cbindgen.toml")).expect("cbindgen.toml");

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! What callers hand in to be called: functions with a `user` pointer, and the end of that pointer.
 
-use super::constants::{EMB_EXACT, EMB_LOWER_BOUND, EMB_SIGN_ONLY};
-use super::versioned::Versioned;
-use crate::error::{Error, Result};
-use crate::geometry::{Function, FunctionOptions, Kind};
-use crate::math::{Aabb, Vec3};
 use crate::parallel::Executor;
 use crate::simd::environment;
 use std::ffi::c_void;
-use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -36,61 +30,6 @@ pub type emb_parallel_for_fn = Option<
         context: *mut c_void,
     ),
 >;
-
-/// What the caller knows of a function; fill it with emb_callback_options_init.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct emb_callback_options {
-    /// sizeof(emb_callback_options)
-    pub struct_size: usize,
-    /// Lower corner of a box around the body; -INFINITY by default. The caller vouches for it.
-    pub lo: [f64; 3],
-    /// Upper corner of that box; +INFINITY by default.
-    pub hi: [f64; 3],
-    /// A constant L with |f(p) - f(q)| <= L |p - q|; 0, the default: unknown. Boxes are classified, and
-    /// fills pruned, only where it is known.
-    pub lipschitz: f64,
-    /// Step of the centred differences that give the gradient; 0, the default: 1e-6 of the diagonal of the
-    /// box, or 1e-6 where that is infinite.
-    pub gradient_step: f64,
-    /// EMB_EXACT, EMB_LOWER_BOUND or EMB_SIGN_ONLY, the default.
-    pub kind: i32,
-    /// Nonzero: several threads may call the function at once. 0, the default: only the thread that makes
-    /// a call, so the call does not share its work.
-    pub thread_safe: i32,
-}
-
-// SAFETY: repr(C), size first, numbers.
-unsafe impl Versioned for emb_callback_options {
-    const FIRST_SIZE: usize = offset_of!(emb_callback_options, thread_safe) + size_of::<i32>();
-    const DEFAULT: emb_callback_options = emb_callback_options {
-        struct_size: size_of::<emb_callback_options>(),
-        lo: [f64::NEG_INFINITY; 3],
-        hi: [f64::INFINITY; 3],
-        lipschitz: 0.0,
-        gradient_step: 0.0,
-        kind: EMB_SIGN_ONLY,
-        thread_safe: 0,
-    };
-}
-
-impl emb_callback_options {
-    pub(super) fn convert(&self) -> Result<FunctionOptions> {
-        let kind = match self.kind {
-            EMB_EXACT => Kind::Exact,
-            EMB_LOWER_BOUND => Kind::LowerBound,
-            EMB_SIGN_ONLY => Kind::SignOnly,
-            other => return Err(Error::invalid(format!("options.kind: {other} is not an EMB_EXACT, ..."))),
-        };
-        Ok(FunctionOptions {
-            bounds: Aabb::new(Vec3::from(self.lo), Vec3::from(self.hi)),
-            lipschitz: self.lipschitz,
-            gradient_step: self.gradient_step,
-            kind,
-            thread_safe: self.thread_safe != 0,
-        })
-    }
-}
 
 /// A user's pointer, which travels between threads as the caller allows.
 #[derive(Clone, Copy)]
@@ -121,6 +60,11 @@ impl Keepsake {
         Arc::new(Keepsake { user: User(user), drop, kept: AtomicBool::new(false) })
     }
 
+    /// The pointer.
+    pub(super) fn user(&self) -> *mut c_void {
+        self.user.get()
+    }
+
     /// The construction succeeded: the pointer is the library's now.
     pub(super) fn keep(&self) {
         self.kept.store(true, Ordering::Release);
@@ -138,19 +82,6 @@ impl Drop for Keepsake {
     }
 }
 
-/// A user's implicit function.
-pub(super) struct UserFunction {
-    pub(super) value: unsafe extern "C" fn(*mut c_void, f64, f64, f64) -> f64,
-    pub(super) keepsake: Arc<Keepsake>,
-}
-
-impl Function for UserFunction {
-    fn value(&self, p: Vec3) -> f64 {
-        // SAFETY: the caller vouches for the function and gave the pointer with it.
-        environment::as_caller(|| unsafe { (self.value)(self.keepsake.user.get(), p.x, p.y, p.z) })
-    }
-}
-
 /// A user's executor.
 pub(super) struct UserExecutor {
     pub(super) function:
@@ -163,7 +94,7 @@ impl Executor for UserExecutor {
         let mut context = Context { task };
         // SAFETY: the caller vouches for the function; the context outlives the call.
         environment::as_caller(|| unsafe {
-            (self.function)(self.keepsake.user.get(), tasks, Some(run_task), (&raw mut context).cast());
+            (self.function)(self.keepsake.user(), tasks, Some(run_task), (&raw mut context).cast());
         });
     }
 }

@@ -86,6 +86,14 @@ pub const EMB_LOWER_BOUND: i32 = 1;
 /// Only the sign of the value means anything.
 pub const EMB_SIGN_ONLY: i32 = 2;
 
+/// min(a, b) - h^2 width / 4, h = max(width - |a - b|, 0) / width (Quilez 2013): values further apart than the width
+/// are left alone.
+pub const EMB_BLEND_SMOOTH: i32 = 0;
+/// -width log(exp(-a / width) + exp(-b / width)) (Ricci 1973): smooth everywhere.
+pub const EMB_BLEND_EXPONENTIAL: i32 = 1;
+/// The caller's function.
+pub const EMB_BLEND_CUSTOM: i32 = 2;
+
 /// emb_geom_fill: the value.
 pub const EMB_FILL_EXACT: i32 = 0;
 /// emb_geom_fill: the value where its magnitude is below `band`, exactly +-band elsewhere.

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Geometries: constructors, properties, handles.
+//! Geometries: the handle, what it says of itself, its bounds, and the distance to a mesh. What else they are
+//! made of stands in shapes.rs, sampled.rs, function.rs, transforms.rs and combine.rs.
 
-use super::arrays::{elements, numbers, slice};
-use super::callback::{Keepsake, UserFunction, emb_callback_options, emb_drop_fn, emb_value_fn};
 use super::constants::{
     EMB_ACCELERATOR_AUTO, EMB_ACCELERATOR_COMPACT, EMB_ACCELERATOR_NONE, EMB_OPEN_CAP, EMB_OPEN_ERROR, EMB_OPEN_SWEEP,
     EMB_SIGN_AUTO, EMB_SIGN_AXIS, EMB_SIGN_NONE, EMB_SIGN_ONLY, EMB_SIGN_PSEUDONORMAL, EMB_SIGN_RAY, EMB_SIGN_WINDING,
 };
 use super::error::{emb_status, guard, plain, quiet};
-use super::handle::{Handle, give, lend, null, release, share, writable};
+use super::handle::{Handle, give, lend, release, share, writable};
 use super::mesh::emb_mesh;
 use super::run::{emb_run, with_run};
 use super::versioned::{self, Versioned};
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result};
 use crate::geometry::{Accelerator, Geometry, Open, SdfOptions, SignMethod};
-use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
-use std::sync::Arc;
 
 /// An implicit function: negative inside the body, positive outside, zero on the surface and counted as
 /// inside. Immutable. A composite keeps its parts alive, so handles may be freed in any order.
@@ -128,7 +125,7 @@ unsafe impl Versioned for emb_geom_properties {
 ///
 /// # Safety
 /// `out_geom` is NULL or may be written.
-unsafe fn construct(out_geom: *mut *mut emb_geom, build: impl FnOnce() -> Result<Geometry>) -> emb_status {
+pub(super) unsafe fn construct(out_geom: *mut *mut emb_geom, build: impl FnOnce() -> Result<Geometry>) -> emb_status {
     guard(|| {
         writable("out_geom", out_geom)?;
         let geometry = build()?;
@@ -142,14 +139,6 @@ unsafe fn construct(out_geom: *mut *mut emb_geom, build: impl FnOnce() -> Result
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_sdf_options_init(options: *mut emb_sdf_options, size: usize) -> emb_status {
-    // SAFETY: the size is what the caller says, as the header asks.
-    guard(|| unsafe { versioned::init("options", options, size) })
-}
-
-/// Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_callback_options_init(options: *mut emb_callback_options, size: usize) -> emb_status {
     // SAFETY: the size is what the caller says, as the header asks.
     guard(|| unsafe { versioned::init("options", options, size) })
 }
@@ -180,113 +169,6 @@ pub unsafe extern "C" fn emb_geom_from_mesh(
     })
 }
 
-/// A ball. Exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or radius not > 0).
-/// cbindgen:ptrs-as-arrays=[[center;3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_sphere(center: *const f64, radius: f64, out_geom: *mut *mut emb_geom) -> emb_status {
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || Geometry::sphere(numbers("center", center)?, radius)) }
-}
-
-/// The axis-aligned box [lo, hi], lo < hi. Exact, inside too.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
-/// cbindgen:ptrs-as-arrays=[[lo;3], [hi;3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_box(lo: *const f64, hi: *const f64, out_geom: *mut *mut emb_geom) -> emb_status {
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || Geometry::cuboid(numbers("lo", lo)?, numbers("hi", hi)?)) }
-}
-
-/// The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. The
-/// parts live on in it and may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT,
-/// EMB_ERROR_MEMORY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_union(
-    count: usize,
-    parts: *const *const emb_geom,
-    out_geom: *mut *mut emb_geom,
-) -> emb_status {
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || Geometry::union(&self::parts(count, parts)?)) }
-}
-
-/// The points in every one of `count` parts: the greatest of their values. Of none: -INFINITY everywhere, all of
-/// space. Otherwise as emb_geom_union.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_intersection(
-    count: usize,
-    parts: *const *const emb_geom,
-    out_geom: *mut *mut emb_geom,
-) -> emb_status {
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || Geometry::intersection(&self::parts(count, parts)?)) }
-}
-
-/// The parts of a composite.
-///
-/// # Safety
-/// `parts` is NULL or holds `count` handles.
-unsafe fn parts(count: usize, parts: *const *const emb_geom) -> Result<Vec<Geometry>> {
-    // SAFETY: the caller's promise.
-    let handles = unsafe { slice("parts", parts, elements::<*const emb_geom>("count", count, 1)?) }?;
-    if let Some(k) = handles.iter().position(|handle| handle.is_null()) {
-        return Err(null(&format!("parts[{k}]")));
-    }
-    let mut geometries = try_with_capacity("parts", count)?;
-    for handle in handles {
-        // SAFETY: the caller's promise.
-        geometries.push(unsafe { lend("parts", *handle) }?.clone());
-    }
-    Ok(geometries)
-}
-
-/// The points of `from` that are not in `remove`: the greater of from's value and of minus remove's.
-/// Errors: EMB_ERROR_NULL_ARGUMENT.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_difference(
-    from: *const emb_geom,
-    remove: *const emb_geom,
-    out_geom: *mut *mut emb_geom,
-) -> emb_status {
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || lend("from", from)?.difference(lend("remove", remove)?)) }
-}
-
-/// The rest of space: 0 - value. A wall becomes the room in it. Errors: EMB_ERROR_NULL_ARGUMENT.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_complement(g: *const emb_geom, out_geom: *mut *mut emb_geom) -> emb_status {
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || lend("g", g)?.complement()) }
-}
-
-/// The body moved by `shift`. O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
-/// cbindgen:ptrs-as-arrays=[[shift;3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_translate(
-    g: *const emb_geom,
-    shift: *const f64,
-    out_geom: *mut *mut emb_geom,
-) -> emb_status {
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || lend("g", g)?.translate(numbers("shift", shift)?)) }
-}
-
-/// The body placed rigidly: its point q comes to rotation * q + shift. `rotation` is row major and must be a
-/// rotation to within 1e-9 (in each element of its transpose times itself; it is made one to rounding), so bring a
-/// matrix that came from floats or was multiplied up over many steps back to one first. O(1), shares g: cheap enough for every time step of a moving body.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or not a rotation).
-/// cbindgen:ptrs-as-arrays=[[rotation;9], [shift;3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_place(
-    g: *const emb_geom,
-    rotation: *const f64,
-    shift: *const f64,
-    out_geom: *mut *mut emb_geom,
-) -> emb_status {
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, || lend("g", g)?.place(numbers("rotation", rotation)?, numbers("shift", shift)?)) }
-}
-
 /// The same body, labelled: closest points, crossings and intercepts on it report `part`. Of nested labels the
 /// innermost wins. `part` is at least 0, or -1 for none. O(1), shares g.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
@@ -296,32 +178,6 @@ pub unsafe extern "C" fn emb_geom_part(g: *const emb_geom, part: i32, out_geom: 
         // SAFETY: a handle or NULL, as the header asks.
         -1.. => unsafe { lend("g", g) }?.part(part),
         _ => Err(Error::invalid(format!("part: {part} is not -1 or more"))),
-    };
-    // SAFETY: pointers as the header asks.
-    unsafe { construct(out_geom, build) }
-}
-
-/// A user's function as a geometry. `value` is called with `user` in the floating-point environment of the thread
-/// that made the call, and only with finite coordinates; where it returns NaN, emb_geom_value gives NaN and batches
-/// give EMB_ERROR_CALLBACK. `drop` (may be NULL) ends `user` with the last geometry that uses it. `options` may be
-/// NULL. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT; then drop is not run.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn emb_geom_callback(
-    value: emb_value_fn,
-    user: *mut c_void,
-    drop: emb_drop_fn,
-    options: *const emb_callback_options,
-    out_geom: *mut *mut emb_geom,
-) -> emb_status {
-    let build = || {
-        let value = value.ok_or_else(|| null("value"))?;
-        // SAFETY: pointers as the header asks.
-        let options = unsafe { versioned::read_or_default("options", options) }?.convert()?;
-        let keepsake = Keepsake::new(user, drop);
-        let function = UserFunction { value, keepsake: Arc::clone(&keepsake) };
-        let geometry = Geometry::function(Arc::new(function), &options)?;
-        keepsake.keep();
-        Ok(geometry)
     };
     // SAFETY: pointers as the header asks.
     unsafe { construct(out_geom, build) }
@@ -342,7 +198,7 @@ pub unsafe extern "C" fn emb_geom_free(g: *mut emb_geom) {
 }
 
 /// A number that is equal for equal content, on every rank, instruction set and run; 0 for NULL and for geometries
-/// with user functions in them. Cost: linear in the memory of the geometry at most. Any thread.
+/// with user functions or blends in them. Cost: linear in the memory of the geometry at most. Any thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_fingerprint(g: *const emb_geom) -> u64 {
     // SAFETY: a handle or NULL, as the header asks.

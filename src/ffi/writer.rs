@@ -46,7 +46,8 @@ unsafe impl Versioned for emb_lattice {
 /// The caller's array over a lattice: the element of (i, j, k) is data[i*stride[0] + j*stride[1] +
 /// k*stride[2]], strides in elements, of either sign. All strides zero: tight, x fastest. Otherwise the
 /// axes must nest, in any order: a step along one goes beyond all the elements that the axes of smaller
-/// strides reach, so that no element is written twice. data may be NULL where the lattice has no points.
+/// strides reach, so that no element is written twice. data may be NULL where the lattice has no points. An
+/// array that is an input is under the same rules and only read.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct emb_array {
@@ -135,15 +136,7 @@ impl<T: Copy> Writer<T> {
 
     /// An array over `extent` points.
     fn over(name: &str, array: &emb_array, extent: [usize; 3]) -> Result<Writer<T>> {
-        let data = array.data.cast::<T>();
-        if extent.contains(&0) {
-            return Ok(Writer { data, extent: [0; 3], stride: [0; 3] });
-        }
-        if data.is_null() {
-            return Err(null(&format!("{name}.data")));
-        }
-        aligned(&format!("{name}.data"), data)?;
-        let stride = check_strides::<T>(name, array.stride, extent)?;
+        let Layout { data, extent, stride } = layout(name, array, extent)?;
         Ok(Writer { data, extent, stride })
     }
 
@@ -160,6 +153,27 @@ impl<T: Copy> Writer<T> {
             at = at.wrapping_offset(sx);
         }
     }
+}
+
+/// Where the elements of an array are.
+pub(super) struct Layout<T> {
+    pub(super) data: *mut T,
+    pub(super) extent: [usize; 3],
+    pub(super) stride: [isize; 3],
+}
+
+/// Checks an array over `extent` points; one without points is nowhere.
+pub(super) fn layout<T>(name: &str, array: &emb_array, extent: [usize; 3]) -> Result<Layout<T>> {
+    let data = array.data.cast::<T>();
+    if extent.contains(&0) {
+        return Ok(Layout { data, extent: [0; 3], stride: [0; 3] });
+    }
+    if data.is_null() {
+        return Err(null(&format!("{name}.data")));
+    }
+    aligned(&format!("{name}.data"), data)?;
+    let stride = check_strides::<T>(name, array.stride, extent)?;
+    Ok(Layout { data, extent, stride })
 }
 
 /// The strides to use, where no two points share an element and the array can exist.

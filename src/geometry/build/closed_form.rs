@@ -139,8 +139,8 @@ impl Geometry {
     /// ends and whose bits are the same everywhere (Eberly 2013).
     ///
     /// An error where a semi-axis is not > 0, a number is not finite or the matrix is no rotation.
-    pub fn ellipsoid(center: [f64; 3], axes: [f64; 3], rotation: Option<[f64; 9]>) -> Result<Geometry> {
-        Geometry::leaf(Box::new(Ellipsoid::new(center, axes, rotation)?))
+    pub fn ellipsoid(center: [f64; 3], semi_axes: [f64; 3], rotation: Option<[f64; 9]>) -> Result<Geometry> {
+        Geometry::leaf(Box::new(Ellipsoid::new(center, semi_axes, rotation)?))
     }
 
     /// Perlin noise (2002): `amplitude * sum over k < octaves of persistence^k * noise(frequency * 2^k * p)`,

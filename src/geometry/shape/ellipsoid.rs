@@ -19,7 +19,7 @@ impl Ellipsoid {
     pub(in crate::geometry) fn new(center: [f64; 3], axes: [f64; 3], rotation: Option<[f64; 9]>) -> Result<Ellipsoid> {
         let place = placement(center, "center", rotation)?;
         for (k, &e) in axes.iter().enumerate() {
-            positive(&format!("axes[{k}]"), e)?;
+            positive(&format!("semi_axes[{k}]"), e)?;
         }
         Ok(Ellipsoid { place, body: ellipsoid::Ellipsoid::new(Vec3::from_array(axes)) })
     }

@@ -45,7 +45,7 @@ fn shape_arguments_are_checked() {
         RoundedBox::new(O, [1.0; 3], 0.0, Some([-1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0])),
         "rotation: determinant -1 is a reflection",
     );
-    refused(Ellipsoid::new(O, [1.0, 1.0, 0.0], None), "axes[2]: 0 is not finite and > 0");
+    refused(Ellipsoid::new(O, [1.0, 1.0, 0.0], None), "semi_axes[2]: 0 is not finite and > 0");
     refused(Extruded::prism(O, Z, [1.0, 0.0, 0.0], 2, 1.0), "sides: 2 is not between 3 and 1000");
     refused(Extruded::prism(O, Z, [0.0, 0.0, -2.0], 6, 1.0), "toward: (0, 0, -2) is along b - a");
     refused(Perlin::new(0.0, Z, 0.5, 1, 0), "amplitude: 0 is not finite and > 0");

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Set operations, sharp and smooth, and repetition. Each shares what it is made from.
+
+use super::arrays::{elements, numbers, slice};
+use super::blend::emb_blend;
+use super::error::emb_status;
+use super::geometry::{construct, emb_geom};
+use super::handle::{lend, null};
+use crate::error::{Result, try_with_capacity};
+use crate::geometry::Geometry;
+
+/// The bodies of a composite; `name` is the argument's.
+///
+/// # Safety
+/// `bodies` is NULL or holds `count` handles.
+unsafe fn bodies(name: &str, count: usize, bodies: *const *const emb_geom) -> Result<Vec<Geometry>> {
+    // SAFETY: the caller's promise.
+    let handles = unsafe { slice(name, bodies, elements::<*const emb_geom>("count", count, 1)?) }?;
+    if let Some(k) = handles.iter().position(|handle| handle.is_null()) {
+        return Err(null(&format!("{name}[{k}]")));
+    }
+    let mut geometries = try_with_capacity(name, count)?;
+    for handle in handles {
+        // SAFETY: the caller's promise.
+        geometries.push(unsafe { lend(name, *handle) }?.clone());
+    }
+    Ok(geometries)
+}
+
+/// The three integers of an argument.
+///
+/// # Safety
+/// `data` is NULL or holds three integers.
+unsafe fn integers(name: &str, data: *const i32) -> Result<[i32; 3]> {
+    // SAFETY: the caller's promise.
+    let given = unsafe { slice(name, data, 3) }?;
+    Ok([given[0], given[1], given[2]])
+}
+
+/// The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. The
+/// parts live on in it and may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT,
+/// EMB_ERROR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_union(
+    count: usize,
+    parts: *const *const emb_geom,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, || Geometry::union(&bodies("parts", count, parts)?)) }
+}
+
+/// The points in every one of `count` parts: the greatest of their values. Of none: -INFINITY everywhere, all of
+/// space. Otherwise as emb_geom_union.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_intersection(
+    count: usize,
+    parts: *const *const emb_geom,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, || Geometry::intersection(&bodies("parts", count, parts)?)) }
+}
+
+/// The points of `from` that are not in `remove`: the greater of from's value and of minus remove's.
+/// Errors: EMB_ERROR_NULL_ARGUMENT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_difference(
+    from: *const emb_geom,
+    remove: *const emb_geom,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, || lend("from", from)?.difference(lend("remove", remove)?)) }
+}
+
+/// The rest of space: 0 - value. A wall becomes the room in it. Errors: EMB_ERROR_NULL_ARGUMENT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_complement(g: *const emb_geom, out_geom: *mut *mut emb_geom) -> emb_status {
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, || lend("g", g)?.complement()) }
+}
+
+/// The points of `from` that are in none of `count` bodies: as emb_geom_difference of their union, over which a
+/// hierarchy is built; of none: from. Errors: EMB_ERROR_NULL_ARGUMENT (naming the body), EMB_ERROR_INVALID_ARGUMENT,
+/// EMB_ERROR_MEMORY. Cost: n log n in the bodies.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_difference_of_many(
+    from: *const emb_geom,
+    count: usize,
+    remove: *const *const emb_geom,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, || lend("from", from)?.difference_of_many(&bodies("remove", count, remove)?)) }
+}
+
+/// The union of `count` parts with its inner edges filled: values that are close are blended as `blend` says, in
+/// rising order, so that the order of the parts makes no difference to the bit. A lower bound of the distance where
+/// the parts' values are 1-Lipschitz and the blend is. Labels are those of the part of least value. Errors:
+/// EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY. Cost: n log n in the
+/// parts; a value asks those within the blend's support.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_smooth_union(
+    count: usize,
+    parts: *const *const emb_geom,
+    blend: *const emb_blend,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    let build = || {
+        // SAFETY: pointers as the header asks.
+        let parts = unsafe { bodies("parts", count, parts) }?;
+        // SAFETY: as above.
+        unsafe { emb_blend::lend(blend, |blend| Geometry::smooth_union(&parts, blend)) }
+    };
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, build) }
+}
+
+/// The intersection of `count` parts with its edges rounded: the complement of the smooth union of their
+/// complements, so that the blend gets values of the opposite sign. Otherwise as emb_geom_smooth_union.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_smooth_intersection(
+    count: usize,
+    parts: *const *const emb_geom,
+    blend: *const emb_blend,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    let build = || {
+        // SAFETY: pointers as the header asks.
+        let parts = unsafe { bodies("parts", count, parts) }?;
+        // SAFETY: as above.
+        unsafe { emb_blend::lend(blend, |blend| Geometry::smooth_intersection(&parts, blend)) }
+    };
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, build) }
+}
+
+/// The points of `from` that are in none of `count` bodies, with the edges between them rounded: the complement of
+/// the smooth union of from's complement and the bodies. Otherwise as emb_geom_smooth_union.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_smooth_difference(
+    from: *const emb_geom,
+    count: usize,
+    remove: *const *const emb_geom,
+    blend: *const emb_blend,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    let build = || {
+        // SAFETY: pointers as the header asks.
+        let (from, remove) = unsafe { (lend("from", from)?, bodies("remove", count, remove)?) };
+        // SAFETY: as above.
+        unsafe { emb_blend::lend(blend, |blend| from.smooth_difference(&remove, blend)) }
+    };
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, build) }
+}
+
+/// The union of copies of g at (i period[0], j period[1], k period[2]), 0 <= i < counts[0] and so on, without the
+/// copies: of the memory of one, and only those near a point are asked. A period may be negative, or zero where its
+/// count is 1. Exact where g is and its bounds are smaller than the period. Labels are g's. O(1), shares g.
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, a count below 1),
+/// EMB_ERROR_UNSUPPORTED (more than 2^20 copies of a body without bounds, or of which only the sign is known).
+/// cbindgen:ptrs-as-arrays=[[period;3], [counts;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_repeat(
+    g: *const emb_geom,
+    period: *const f64,
+    counts: *const i32,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, || lend("g", g)?.repeat(numbers("period", period)?, integers("counts", counts)?)) }
+}
