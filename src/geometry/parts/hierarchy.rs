@@ -7,6 +7,7 @@ use super::spheres::Block;
 use crate::bvh::{LEAF_SIZE, Tree};
 use crate::error::{Result, try_with_capacity};
 use crate::geometry::Geometry;
+use crate::geometry::Kind;
 use crate::geometry::node::Node;
 use crate::geometry::shape::Sphere;
 use crate::math::Aabb;
@@ -123,7 +124,9 @@ impl Hierarchy {
 fn fits(part: &Geometry, turned: bool) -> bool {
     let (s, b) = (part.summary(), around(part, turned));
     let spread = if turned { s.spread_rest } else { s.spread };
-    b.is_finite() && spread <= MOST_SPREAD && s.rounding.0.is_finite() && s.rounding.1.is_finite()
+    // One that may have no value is always asked, unless the user vouches for its distance.
+    let is_vouched = !s.may_fail || s.kind == Kind::Exact;
+    is_vouched && b.is_finite() && spread <= MOST_SPREAD && s.rounding.0.is_finite() && s.rounding.1.is_finite()
 }
 
 /// The ball that a part is, under its labels.

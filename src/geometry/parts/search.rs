@@ -137,8 +137,11 @@ impl<S: Sink> LeafDistance for SphereSearch<'_, S> {
     fn visit(&mut self, leaf: usize) -> f64 {
         let block = &self.blocks[leaf];
         let values = block.values(self.p);
-        for k in 0..WIDTH {
-            if values.0[k] <= self.sink.limit() && block.part[k] != u32::MAX {
+        let mut near = values.at_most(self.sink.limit());
+        while near != 0 {
+            let k = near.trailing_zeros() as usize & (WIDTH - 1);
+            near &= near - 1;
+            if block.part[k] != u32::MAX {
                 self.sink.offer(values.0[k], block.part[k] as usize);
             }
         }
