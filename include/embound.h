@@ -192,6 +192,15 @@
 // emb_crossings_out: nothing is written, to any of the arrays, on edges that the surface does not cross.
 #define EMB_ELSEWHERE_LEAVE 1
 
+// emb_geom_bounding_box: the body lies within the result.
+#define EMB_BOUNDING_FOUND 0
+
+// emb_geom_bounding_box: the body may reach the border of the start box; the result is infinite.
+#define EMB_BOUNDING_REACHES_START 1
+
+// emb_geom_bounding_box: no part of the body lies in the start box; the result is infinite.
+#define EMB_BOUNDING_NOTHING 2
+
 // An implicit function: negative inside the body, positive outside, zero on the surface and counted as
 // inside. Immutable. A composite keeps its parts alive, so handles may be freed in any order.
 typedef struct emb_geom emb_geom;
@@ -1049,6 +1058,15 @@ emb_status emb_geom_repeat(const emb_geom *g,
                            const int32_t counts[3],
                            emb_geom **out_geom);
 
+// The geometry cut down to what matters within the finite box [lo, hi] (Duff 1992): parts of unions, intersections
+// and blends that lose against another everywhere in the box are left out. Within the box the values have the same
+// bits; outside of it they mean nothing. For a block of a grid that many parts are far from. Cost: one range of
+// values for each part. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
+emb_status emb_geom_simplify(const emb_geom *g,
+                             const double lo[3],
+                             const double hi[3],
+                             emb_geom **out_geom);
+
 // The value at a point, in units of length where the geometry is exact. It cannot fail: NaN for a coordinate
 // that is not finite, for NULL and where a user's function failed; never -0. The thread's last message stays as it
 // is. Any thread, unless the geometry has a user's function that is not thread-safe in it.
@@ -1151,6 +1169,38 @@ emb_status emb_geom_classify_boxes(const emb_geom *g,
                                    const double *hi,
                                    const emb_run *run,
                                    int32_t *out_class);
+
+// A box around a body, found by subdividing a start box as an octree: for functions that do not know their bounds
+// (emb_geom_bounds costs nothing where they are known). The start box is halved `depth` times (1 to 40) along each
+// axis; what may hold a part of the body is kept, and the result is widened by `safety` >= 0 widths of the finest
+// cells. *out_state: EMB_BOUNDING_FOUND; EMB_BOUNDING_REACHES_START, the body may reach the border of the start box;
+// EMB_BOUNDING_NOTHING, none of it lies in there; in the last two the box is infinite. Right wherever boxes can be
+// classified; a function of whose slope nothing is known is taken to be 1-Lipschitz. A body smaller than the finest
+// cells is found as well. Runs on the calling thread; run serves to cancel.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED. Cost: the
+// cells along the body's outermost parts, some 1,000 to 10,000 values.
+emb_status emb_geom_bounding_box(const emb_geom *g,
+                                 const double start_lo[3],
+                                 const double start_hi[3],
+                                 int32_t depth,
+                                 double safety,
+                                 const emb_run *run,
+                                 double out_lo[3],
+                                 double out_hi[3],
+                                 int32_t *out_state);
+
+// A ball around a body: about the middle of the box that emb_geom_bounding_box finds, as large as the farthest cell
+// needs, which is less than half the box's diagonal for round bodies. Arguments and errors as there; in the states
+// other than EMB_BOUNDING_FOUND the centre is zero and the radius infinite.
+emb_status emb_geom_bounding_sphere(const emb_geom *g,
+                                    const double start_lo[3],
+                                    const double start_hi[3],
+                                    int32_t depth,
+                                    double safety,
+                                    const emb_run *run,
+                                    double out_center[3],
+                                    double *out_radius,
+                                    int32_t *out_state);
 
 #ifdef __cplusplus
 }  // extern "C"

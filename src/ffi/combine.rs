@@ -8,6 +8,7 @@ use super::geometry::{construct, emb_geom};
 use super::handle::{lend, null};
 use crate::error::{Result, try_with_capacity};
 use crate::geometry::Geometry;
+use crate::math::{Aabb, Vec3};
 
 /// The bodies of a composite; `name` is the argument's.
 ///
@@ -171,4 +172,25 @@ pub unsafe extern "C" fn emb_geom_repeat(
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
     unsafe { construct(out_geom, || lend("g", g)?.repeat(numbers("period", period)?, integers("counts", counts)?)) }
+}
+
+/// The geometry cut down to what matters within the finite box [lo, hi] (Duff 1992): parts of unions, intersections
+/// and blends that lose against another everywhere in the box are left out. Within the box the values have the same
+/// bits; outside of it they mean nothing. For a block of a grid that many parts are far from. Cost: one range of
+/// values for each part. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
+/// cbindgen:ptrs-as-arrays=[[lo;3], [hi;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_simplify(
+    g: *const emb_geom,
+    lo: *const f64,
+    hi: *const f64,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    let build = || {
+        // SAFETY: pointers as the header asks.
+        let (g, lo, hi) = unsafe { (lend("g", g)?, numbers::<3>("lo", lo)?, numbers::<3>("hi", hi)?) };
+        g.simplified(Aabb::new(Vec3::from(lo), Vec3::from(hi)))
+    };
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, build) }
 }
