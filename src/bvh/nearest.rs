@@ -53,8 +53,8 @@ fn search<const SIGNED: bool, const STACK: usize>(tree: &Tree, p: Vec3, start: f
         order(f32_above(key + key.abs() * 1e-6).to_bits() as i32) | LANE
     };
     let mut bound = limit(start);
-    // The key in order above, the child below: one number to compare and to move.
-    let mut waiting = [0i64; STACK];
+    // Two arrays side by side: a node's eight keys and children are stored at once.
+    let (mut keys_waiting, mut waiting) = ([0i32; STACK], [0u32; STACK]);
     let (mut top, mut child) = (0, 0u32);
     loop {
         if child & LEAF != 0 {
@@ -62,30 +62,28 @@ fn search<const SIGNED: bool, const STACK: usize>(tree: &Tree, p: Vec3, start: f
         } else {
             let node = &tree.nodes[child as usize];
             let keys = box_keys::<SIGNED>(node, at);
-            let entry = |k: usize| i64::from(keys.0[k]) << 32 | i64::from(node.child[k]);
             if bound >= UNBOUNDED {
                 // The way down to the first leaf: sorting all children would cost more than what their order
                 // saves. The nearest comes next.
                 let nearest = keys.least() as usize & (WIDTH - 1);
-                for k in 0..WIDTH {
-                    waiting[top + k] = entry(k);
-                }
-                waiting[top + nearest] = i64::MAX;
+                keys_waiting[top..top + WIDTH].copy_from_slice(&keys.0);
+                waiting[top..top + WIDTH].copy_from_slice(&node.child);
+                keys_waiting[top + nearest] = i32::MAX;
                 top += WIDTH;
                 child = node.child[nearest];
                 continue;
             }
             let (first, mut near) = (top, keys.at_most(bound));
             while near != 0 {
-                let entry = entry(near.trailing_zeros() as usize & (WIDTH - 1));
+                let k = near.trailing_zeros() as usize & (WIDTH - 1);
                 near &= near - 1;
                 // Insert so that the nearest ends on top.
                 let mut i = top;
-                while i > first && waiting[i - 1] < entry {
-                    waiting[i] = waiting[i - 1];
+                while i > first && keys_waiting[i - 1] < keys.0[k] {
+                    (keys_waiting[i], waiting[i]) = (keys_waiting[i - 1], waiting[i - 1]);
                     i -= 1;
                 }
-                waiting[i] = entry;
+                (keys_waiting[i], waiting[i]) = (keys.0[k], node.child[k]);
                 top += 1;
             }
         }
@@ -94,8 +92,8 @@ fn search<const SIGNED: bool, const STACK: usize>(tree: &Tree, p: Vec3, start: f
                 return;
             }
             top -= 1;
-            if (waiting[top] >> 32) as i32 <= bound {
-                child = waiting[top] as u32;
+            if keys_waiting[top] <= bound {
+                child = waiting[top];
                 break;
             }
         }

@@ -222,7 +222,12 @@ impl I32x8 {
     /// The least.
     #[inline(always)]
     pub(crate) fn least(self) -> i32 {
-        self.0.iter().fold(i32::MAX, |a, &b| if b < a { b } else { a })
+        let min = |a: i32, b: i32| if b < a { b } else { a };
+        let mut half = [0; WIDTH / 2];
+        for k in 0..WIDTH / 2 {
+            half[k] = min(self.0[k], self.0[k + WIDTH / 2]);
+        }
+        min(min(half[0], half[2]), min(half[1], half[3]))
     }
 
     /// A bit for each lane that is at most `limit`.
