@@ -434,8 +434,8 @@ typedef struct emb_callback_options {
 // where it fails. It must give the same value for the same point every time, and it must not throw.
 typedef double (*emb_value_fn)(void *user, double x, double y, double z);
 
-// A user's blend of two values a <= b: what stands for the lesser of them in a union. It must rise with either and
-// leave values further apart than emb_blend.support alone. Its derivatives by a and by b go to *out_by_a and
+// A user's blend of two values a <= b: what stands for the lesser of them in a union. It must rise with either, never
+// be above a, and be a where they are further apart than emb_blend.support. Its derivatives by a and by b go to *out_by_a and
 // *out_by_b; left as they are (NaN), centred differences are taken. NaN says that it failed. It must give the same
 // blend of the same values every time, and must not throw.
 typedef double (*emb_blend_fn)(void *user, double a, double b, double *out_by_a, double *out_by_b);

@@ -44,27 +44,23 @@ impl Smooth {
         if found.is_empty() { vec![least] } else { found }
     }
 
-    /// Blends until the rest is too far behind: `weigh` is told of each step the derivatives by the result so
-    /// far and by the next value.
-    fn fold(&self, found: &[Found], mut weigh: impl FnMut(usize, f64, f64)) -> f64 {
+    /// Blends until the rest is too far behind, or the blend failed: `blend` gets the number of the next part,
+    /// the lesser value and the greater, and whether the greater is the next part's.
+    fn fold(&self, found: &[Found], mut blend: impl FnMut(usize, f64, f64, bool) -> f64) -> f64 {
         let mut value = found[0].value;
         for (k, next) in found.iter().enumerate().skip(1) {
-            if next.value - value >= self.blend.support() {
+            if value.is_nan() || next.value - value >= self.blend.support() {
                 break;
             }
-            // A user's blend need not go below the least value.
-            let (a, b) = (value.min(next.value), value.max(next.value));
-            let (blended, by_a, by_b) = self.blend.of(a, b);
-            let (by_value, by_next) = if value <= next.value { (by_a, by_b) } else { (by_b, by_a) };
-            weigh(k, by_value, by_next);
-            value = blended;
+            // Rounding may bring a user's blend above its lesser value.
+            value = blend(k, value.min(next.value), value.max(next.value), value <= next.value);
         }
         value
     }
 
     #[inline(never)]
     pub(super) fn value(&self, p: Vec3) -> f64 {
-        self.fold(&self.blended(p), |_, _, _| {})
+        self.fold(&self.blended(p), |_, a, b, _| self.blend.value(a, b))
     }
 
     /// With the labels of the part of least value.
@@ -77,8 +73,11 @@ impl Smooth {
         let part = |k: usize| &self.parts.list()[found[k].part];
         let winner = part(0).raw_closest(p);
         let mut gradient = winner.gradient;
-        let value = self.fold(&found, |k, by_value, by_next| {
+        let value = self.fold(&found, |k, a, b, is_in_order| {
+            let (blended, by_a, by_b) = self.blend.of(a, b);
+            let (by_value, by_next) = if is_in_order { (by_a, by_b) } else { (by_b, by_a) };
             gradient = gradient * by_value + part(k).gradient(p) * by_next;
+            blended
         });
         let alone = value == winner.value;
         let nowhere = Closest { value, gradient, part: winner.part, tag: winner.tag, ..Closest::only(value) };
