@@ -14,12 +14,15 @@ use crate::math::{Aabb, Interval, Vec3};
 pub(super) struct Smooth {
     parts: Parts,
     blend: Blend,
+    /// The most by which blending all parts goes below the least of them.
+    depth: f64,
 }
 
 impl Smooth {
     /// `parts` are not turned.
     pub(super) fn new(parts: Parts, blend: Blend) -> Smooth {
-        Smooth { parts, blend }
+        let depth = blend.depth(parts.list().len());
+        Smooth { parts, blend, depth }
     }
 
     pub(super) fn parts(&self) -> &Parts {
@@ -85,9 +88,8 @@ impl Smooth {
     }
 
     pub(super) fn range(&self, b: Aabb) -> Interval {
-        let depth = self.blend.depth(self.parts.list().len());
-        let least = self.parts.range(b, depth * (1.0 + 1e-9));
-        Interval::new((least.lo - depth).next_down(), least.hi)
+        let least = self.parts.range(b, self.depth * (1.0 + 1e-9));
+        Interval::new((least.lo - self.depth).next_down(), least.hi)
     }
 
     /// Of the node over parts of whose union `s` is known.
@@ -96,17 +98,16 @@ impl Smooth {
         if n < 2 {
             return s;
         }
-        let depth = self.blend.depth(n);
         let lipschitz = s.lipschitz * self.blend.lipschitz();
         let unit = 16.0 * f64::EPSILON * n.min(1000) as f64;
         Summary {
-            bounds: grown(s.bounds, Vec3::splat(depth * s.spread_axis)),
+            bounds: grown(s.bounds, Vec3::splat(self.depth * s.spread_axis)),
             kind: if lipschitz <= 1.0 { Kind::LowerBound } else { Kind::SignOnly },
             lipschitz,
             reach_outward: 0.0,
             reach_inward: 0.0,
             // Blends round values and what they take off.
-            rounding: (s.rounding.0 + 4.0 * unit, s.rounding.1 + unit * (self.blend.depth(n) + s.extent())),
+            rounding: (s.rounding.0 + 4.0 * unit, s.rounding.1 + unit * (self.depth + s.extent())),
             ..s
         }
     }
