@@ -37,10 +37,10 @@ impl Repeat {
         &self.child
     }
 
-    /// Whether the child's bounds say where its value is not small.
+    /// Whether the child's bounds say where its value is neither small nor, inside, larger than a distance.
     fn is_bounded(&self) -> bool {
         let s = self.child.summary();
-        s.bounds.is_finite() && !s.bounds.is_empty() && s.spread.is_finite()
+        s.bounds.is_finite() && !s.bounds.is_empty() && s.spread.is_finite() && s.kind <= Kind::LowerBound
     }
 
     pub(super) fn shift(&self, at: [u32; 3]) -> Vec3 {

@@ -120,13 +120,19 @@ impl Hierarchy {
     }
 }
 
-/// Whether the part's own bounds say where its value is not small.
+/// Whether the part's own bounds say where its value is neither small nor, inside, larger than a distance.
 fn fits(part: &Geometry, turned: bool) -> bool {
     let (s, b) = (part.summary(), around(part, turned));
     let spread = if turned { s.spread_rest } else { s.spread };
     // One that may have no value is always asked, unless the user vouches for its distance.
     let is_vouched = !s.may_fail || s.kind == Kind::Exact;
-    is_vouched && b.is_finite() && spread <= MOST_SPREAD && s.rounding.0.is_finite() && s.rounding.1.is_finite()
+    let is_bound = s.kind <= Kind::LowerBound;
+    is_vouched
+        && is_bound
+        && b.is_finite()
+        && spread <= MOST_SPREAD
+        && s.rounding.0.is_finite()
+        && s.rounding.1.is_finite()
 }
 
 /// The ball that a part is, under its labels.
