@@ -952,7 +952,10 @@ emb_status emb_geom_affine(const emb_geom *g,
 // shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
 emb_status emb_geom_offset(const emb_geom *g, double distance, emb_geom **out_geom);
 
-// The shell of points within `half_thickness` of the surface: |value| - half_thickness. Exact as emb_geom_offset is.
+// The shell of points within `half_thickness` of the surface: |value| - half_thickness. Exact on and outside the
+// shell where g is; within it, and so by its kind, only where no edge or curvature of the surface is in the way of
+// either side (balls, planes, tori, cylinders without end): beside a box's edge the inner wall is further than this
+// says. Else a lower bound of the distance where the value is 1-Lipschitz.
 // O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, not > 0).
 emb_status emb_geom_annular(const emb_geom *g, double half_thickness, emb_geom **out_geom);
 
@@ -999,13 +1002,18 @@ emb_status emb_geom_slice(const emb_geom *g,
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
 emb_status emb_blend_init(emb_blend *blend, size_t size);
 
-// The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. The
-// parts live on in it and may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT,
-// EMB_ERROR_MEMORY.
+// The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. Exact where
+// every part is and no two are found to have a point in common (their boxes do not meet, or one keeps clear of the
+// other's); else a lower bound of the distance. Over four parts and more a hierarchy over the parts' own bounds is
+// built, which a value searches for the few parts that may be the least; parts without bounds are always asked. The
+// bits are those of asking every part, and of equal values the first part's labels win. The parts live on in it and
+// may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY.
+// Cost: n log n in the parts, then about log n a value.
 emb_status emb_geom_union(size_t count, const emb_geom *const *parts, emb_geom **out_geom);
 
 // The points in every one of `count` parts: the greatest of their values. Of none: -INFINITY everywhere, all of
-// space. Otherwise as emb_geom_union.
+// space. Otherwise as emb_geom_union of the complements: the hierarchy is over parts that leave out a bounded piece of
+// space, such as complements of bodies.
 emb_status emb_geom_intersection(size_t count, const emb_geom *const *parts, emb_geom **out_geom);
 
 // The points of `from` that are not in `remove`: the greater of from's value and of minus remove's.
@@ -1023,9 +1031,12 @@ emb_status emb_geom_difference_of_many(const emb_geom *from,
                                        const emb_geom *const *remove,
                                        emb_geom **out_geom);
 
-// The union of `count` parts with its inner edges filled: values that are close are blended as `blend` says, in
-// rising order, so that the order of the parts makes no difference to the bit. A lower bound of the distance where
-// the parts' values are 1-Lipschitz and the blend is. Labels are those of the part of least value. Errors:
+// The union of `count` parts with its inner edges filled: values that are close are blended as `blend` says. Three
+// and more are blended in rising order, blend(blend(a, b), c) with a <= b <= c, until the next is further behind the
+// result than the blend's support: every part within the support takes part, the value goes on continuously where
+// two parts change places, and the order in which they are given makes no difference to the bit. A lower bound of the
+// distance where the parts' values are 1-Lipschitz and the blend is. Labels are those of the part of least value,
+// closest points NaN where values are blended. Errors:
 // EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY. Cost: n log n in the
 // parts; a value asks those within the blend's support.
 emb_status emb_geom_smooth_union(size_t count,
@@ -1105,6 +1116,10 @@ emb_status emb_geom_values_f32(const emb_geom *g,
 // The closest point of the surface to each of `count` points, given as in emb_geom_values, with what is known
 // there. Where nothing is nearer than max_distance (INFINITY: no limit) the value is +-max_distance, ids are -1 and
 // vectors NaN. On a mesh ties go to the lowest face, so every accelerator and instruction set gives the same answer.
+// Gradients are analytic but for functions that know none; their direction is the unit normal, and their length is 1
+// where the geometry is exact. Of a union or intersection part, tag, face and point are those of the part whose value
+// it is, and the point may lie within another; bodies that are blended, bent or blurred keep part and tag, and have a
+// closest point (else NaN) only where their kind is EMB_EXACT.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (max_distance NaN or not > 0),
 // EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 emb_status emb_geom_closest(const emb_geom *g,
