@@ -80,7 +80,7 @@ impl Level {
             },
             Level::Divided(c) => Summary {
                 kind: if s.lipschitz <= c { Kind::LowerBound } else { Kind::SignOnly },
-                lipschitz: (s.lipschitz / c).next_up(),
+                lipschitz: s.lipschitz / c,
                 spread: s.spread * c,
                 spread_rest: s.spread_rest * c,
                 spread_axis: s.spread_axis * c,
