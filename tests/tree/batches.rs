@@ -37,11 +37,12 @@ fn fill(g: &Geometry, lattice: &Lattice, mode: FillMode, run: &Run) -> Vec<f64> 
 fn fills_and_batches_of_random_trees_have_the_bits_of_single_values() {
     let pool = Pool::new(2, || ()).unwrap();
     each(31, 200, |k, g, random| {
-        let axis = |random: &mut Random, n: usize| (0..n).map(|i| i as f64 * 0.4 - 1.7 + random.unit() * 0.1).collect::<Vec<f64>>();
+        let axis = |random: &mut Random, n: usize| {
+            (0..n).map(|i| i as f64 * 0.4 - 1.7 + random.unit() * 0.1).collect::<Vec<f64>>()
+        };
         let (x, y, z) = (axis(random, 9), axis(random, 8), axis(random, 6));
         let lattice = Lattice::new(&x, &y, &z).unwrap();
-        let points: Vec<f64> =
-            (0..9 * 8 * 6).flat_map(|i| [x[i % 9], y[i / 9 % 8], z[i / 72]]).collect();
+        let points: Vec<f64> = (0..9 * 8 * 6).flat_map(|i| [x[i % 9], y[i / 9 % 8], z[i / 72]]).collect();
         let single: Vec<f64> = points.chunks(3).map(|p| g.value(Vec3::from_slice(p))).collect();
         for run in [Run::SERIAL, Run { pool: Some(&pool), progress: None }] {
             let together = values(g, &points, &run);
@@ -119,7 +120,8 @@ fn batched_callbacks_under_a_tree_are_called_in_batches() {
     let g = Geometry::function(function.clone(), &options).unwrap();
     let ball = Geometry::sphere([0.5, 0.0, 0.0], 0.7).unwrap();
     let moved = g.rotate([1.0, 0.0, 1.0], 20.0, [0.0; 3]).unwrap().translate([0.1; 3]).unwrap();
-    let mapped = moved.elongate([0.1, 0.0, 0.0]).unwrap().affine([2.0, 0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], [0.0; 3]);
+    let mapped =
+        moved.elongate([0.1, 0.0, 0.0]).unwrap().affine([2.0, 0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], [0.0; 3]);
     let shell = mapped.unwrap().offset(0.1).unwrap().annular(0.2).unwrap().part(3).unwrap();
     let both = Geometry::union(&[ball.clone(), shell, ball.translate([1.0; 3]).unwrap()]).unwrap();
     let tree = both.difference(&ball.scale(0.3).unwrap()).unwrap().complement().unwrap();
@@ -144,7 +146,8 @@ fn callbacks_that_are_not_thread_safe_stay_on_the_calling_thread_wherever_they_a
     let ball = Geometry::sphere([0.5, 0.0, 0.0], 0.7).unwrap();
     let function = Arc::new(Watched::default());
     let g = Geometry::function(function.clone(), &FunctionOptions::default()).unwrap();
-    let nested = Geometry::union(&[ball.clone(), g.rotate([1.0, 0.0, 0.0], 9.0, [0.0; 3]).unwrap().blur(0.1, 0.5).unwrap()]);
+    let nested =
+        Geometry::union(&[ball.clone(), g.rotate([1.0, 0.0, 0.0], 9.0, [0.0; 3]).unwrap().blur(0.1, 0.5).unwrap()]);
     let custom = |thread_safe| {
         Blend::Custom(CustomBlend { function: function.clone(), support: 0.5, depth: 0.5, lipschitz: 1.0, thread_safe })
     };

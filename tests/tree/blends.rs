@@ -103,9 +103,8 @@ fn the_order_of_the_parts_makes_no_difference_to_the_bit() {
             let parts = crowd(kind, n, &mut random);
             for blend in blends(random.range(0.05, 0.8), n) {
                 let first = Geometry::smooth_union(&parts, &blend).unwrap();
-                let others: Vec<Geometry> = (0..4)
-                    .map(|_| Geometry::smooth_union(&shuffled(&parts, &mut random), &blend).unwrap())
-                    .collect();
+                let others: Vec<Geometry> =
+                    (0..4).map(|_| Geometry::smooth_union(&shuffled(&parts, &mut random), &blend).unwrap()).collect();
                 for _ in 0..60 {
                     let p = vector(&mut random, 1.5);
                     let (value, near) = (first.value(p), first.closest(p));
@@ -147,10 +146,8 @@ fn many_parts_have_the_bits_of_blending_them_one_after_another() {
 #[test]
 fn two_parts_have_the_textbook_value_and_further_apart_that_of_the_union() {
     let mut random = Random(163);
-    let parts = [
-        Geometry::sphere([0.0; 3], 1.0).unwrap(),
-        Geometry::cuboid([0.5, -0.3, -0.4], [2.0, 0.8, 0.9]).unwrap(),
-    ];
+    let parts =
+        [Geometry::sphere([0.0; 3], 1.0).unwrap(), Geometry::cuboid([0.5, -0.3, -0.4], [2.0, 0.8, 0.9]).unwrap()];
     let (mut sharp, mut smooth) = (0, 0);
     for _ in 0..20 {
         for blend in blends(random.range(0.01, 1.0), 2) {
@@ -270,8 +267,12 @@ fn blends_within_blends_take_no_longer_with_every_level() {
         let c = vector(&mut random, 1.0).to_array();
         let other = Geometry::sphere(c, 0.3).unwrap();
         let blend = if k % 2 == 0 { Blend::Smooth(0.1) } else { Blend::Exponential(0.05) };
-        g = if k % 3 == 0 { g.smooth_difference(&[other], &blend) } else { Geometry::smooth_union(&[g, other], &blend) }
-            .unwrap();
+        g = if k % 3 == 0 {
+            g.smooth_difference(&[other], &blend)
+        } else {
+            Geometry::smooth_union(&[g, other], &blend)
+        }
+        .unwrap();
     }
     for _ in 0..20 {
         let p = vector(&mut random, 1.0);

@@ -30,7 +30,10 @@ fn a_transform_and_its_inverse_leave_the_body() {
             let factor = random.range(-20.0, 20.0).exp2();
             let pairs = [
                 home.rotate(axis, degrees, point).unwrap().rotate(axis, -degrees, point).unwrap(),
-                home.rotate(axis, degrees, point).unwrap().rotate((-Vec3::from_array(axis)).to_array(), degrees, point).unwrap(),
+                home.rotate(axis, degrees, point)
+                    .unwrap()
+                    .rotate((-Vec3::from_array(axis)).to_array(), degrees, point)
+                    .unwrap(),
                 home.reflect(1).unwrap().reflect(1).unwrap(),
                 home.reflect_in(point, axis).unwrap().reflect_in(point, axis).unwrap(),
                 home.scale(factor).unwrap().scale(1.0 / factor).unwrap(),

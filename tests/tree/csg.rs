@@ -163,13 +163,7 @@ fn parts_steeper_than_a_distance_have_the_bits_of_the_plain_least() {
                         0 => format!("{own}*(sqrt((x-{})^2+(y-{})^2+(z-{})^2)-{r})", c.x, c.y, c.z),
                         1 => format!("{own}*((x-{})^2+(y-{})^2+(z-{})^2-{})", c.x, c.y, c.z, r * r),
                         // Of unbounded slope in the middle.
-                        _ => format!(
-                            "{own}*(((x-{})^2+(y-{})^2+(z-{})^2)^0.25-{})*3",
-                            c.x,
-                            c.y,
-                            c.z,
-                            r.sqrt()
-                        ),
+                        _ => format!("{own}*(((x-{})^2+(y-{})^2+(z-{})^2)^0.25-{})*3", c.x, c.y, c.z, r.sqrt()),
                     };
                     Geometry::expression(&text, &ExpressionOptions { bounds, lipschitz: 0.0 }).unwrap()
                 })

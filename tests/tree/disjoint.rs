@@ -30,10 +30,10 @@ fn assert_distance(g: &Geometry, what: &str, reach: f64, random: &mut Random) {
         }
         assert!(((p - c.point).length() - c.value.abs()).abs() < 1e-10 * reach, "{what}: {c:?} at {p}");
         assert!(g.value(c.point).abs() < 1e-10 * reach, "{what}: {} at the closest point of {p}", g.value(c.point));
-        // There the sides meet: the point is no place within, where two parts touch.
-        let around = (0..64).map(|_| g.value(c.point + direction(random) * 1e-6 * reach) <= 0.0);
-        let inside = around.filter(|inside| *inside).count();
-        assert!((1..64).contains(&inside), "{what}: {inside} of 64 inside around {}", c.point);
+        // There the sides meet: the point is no place within, where two parts touch. Tips may be sharp.
+        let beside = g.value(c.point + direction(random) * 1e-6 * reach) <= 0.0;
+        let mut around = (0..20_000).map(|_| g.value(c.point + direction(random) * 1e-6 * reach) <= 0.0);
+        assert!(around.any(|inside| inside != beside), "{what}: no surface at {} of {p}", c.point);
     }
 }
 

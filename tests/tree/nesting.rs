@@ -32,7 +32,14 @@ const LEVELS: [Level; 14] = [
     |g, _| g.elongate([0.01, 0.0, 0.0]),
     |g, _| g.repeat([0.0; 3], [1; 3]),
     |g, _| g.affine([1.0, 0.01, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], [0.0; 3]),
-    |g, r| Geometry::intersection(&[g.clone(), ball(r).offset(3.0).unwrap(), ball(r).offset(4.0).unwrap(), ball(r).offset(4.0).unwrap()]),
+    |g, r| {
+        Geometry::intersection(&[
+            g.clone(),
+            ball(r).offset(3.0).unwrap(),
+            ball(r).offset(4.0).unwrap(),
+            ball(r).offset(4.0).unwrap(),
+        ])
+    },
 ];
 
 /// As many levels as are allowed.
@@ -97,7 +104,8 @@ fn exactly_a_thousand_levels_are_allowed() {
     let error = g.complement().err().expect("refused");
     assert_eq!(error.status(), Status::Unsupported);
     assert!(error.message().contains("1001"), "{error}");
-    let nested = |g: &Geometry| [g.part(1), Geometry::union(&[g.clone()]), g.offset(0.1), g.annular(0.1), g.blur(0.1, 0.5)];
+    let nested =
+        |g: &Geometry| [g.part(1), Geometry::union(&[g.clone()]), g.offset(0.1), g.annular(0.1), g.blur(0.1, 0.5)];
     assert!(nested(&g).iter().all(|g| g.is_err()));
     // What collapses is no deeper.
     let placed = Geometry::sphere([0.0; 3], 1.0).unwrap().translate([1.0; 3]).unwrap();

@@ -72,15 +72,8 @@ pub enum Crowd {
     Copies,
 }
 
-pub const CROWDS: [Crowd; 7] = [
-    Crowd::Balls,
-    Crowd::Boxes,
-    Crowd::Mixed,
-    Crowd::WithPlanes,
-    Crowd::Composites,
-    Crowd::Heap,
-    Crowd::Copies,
-];
+pub const CROWDS: [Crowd; 7] =
+    [Crowd::Balls, Crowd::Boxes, Crowd::Mixed, Crowd::WithPlanes, Crowd::Composites, Crowd::Heap, Crowd::Copies];
 
 fn ball(random: &mut Random, size: f64) -> Geometry {
     Geometry::sphere(vector(random, 1.0).to_array(), size * random.range(0.1, 1.0)).unwrap()

@@ -57,7 +57,10 @@ fn a_crossing_of_a_random_tree_is_where_the_side_changes() {
         let (hits, backs) = (intercepts(g, &there), intercepts(g, &back));
         for (((a, b), hit), turned) in there.iter().zip(&hits).zip(&backs) {
             let what = format!("tree {k}, {a} to {b}: {hit:?}");
-            assert_eq!((hit.count, hit.status, hit.part, hit.tag), (turned.count, turned.status, turned.part, turned.tag));
+            assert_eq!(
+                (hit.count, hit.status, hit.part, hit.tag),
+                (turned.count, turned.status, turned.part, turned.tag)
+            );
             let (fa, fb) = (g.value(*a), g.value(*b));
             let opposite = (fa <= 0.0) != (fb <= 0.0);
             assert_eq!(opposite, !hit.t.is_nan(), "{what}");
@@ -72,11 +75,20 @@ fn a_crossing_of_a_random_tree_is_where_the_side_changes() {
             let at = |t: f64| g.value(*a + (*b - *a) * t);
             let step = 1e-8f64.max(1e-13 / (*b - *a).length());
             let sides = (at((hit.t - step).max(0.0)) <= 0.0, at((hit.t + step).min(1.0)) <= 0.0);
-            let sides = (if hit.t < step { fa <= 0.0 } else { sides.0 }, if hit.t > 1.0 - step { fb <= 0.0 } else { sides.1 });
+            let sides =
+                (if hit.t < step { fa <= 0.0 } else { sides.0 }, if hit.t > 1.0 - step { fb <= 0.0 } else { sides.1 });
             let flat = at(hit.t).abs() <= 1e-9 * g.properties().lipschitz.clamp(1.0, 10.0);
             assert!(flat || sides.0 != sides.1, "{what}: {} there, sides {sides:?}", at(hit.t));
             if fa == 0.0 || fb == 0.0 {
-                assert_eq!(hit.t, if (fa == 0.0) == (a.to_array() < b.to_array() || fb != 0.0) { f64::from(u8::from(fa != 0.0)) } else { hit.t }, "{what}");
+                assert_eq!(
+                    hit.t,
+                    if (fa == 0.0) == (a.to_array() < b.to_array() || fb != 0.0) {
+                        f64::from(u8::from(fa != 0.0))
+                    } else {
+                        hit.t
+                    },
+                    "{what}"
+                );
             }
         }
     });

@@ -125,7 +125,10 @@ fn elongation_twist_and_slice_are_the_body_at_the_mapped_point() {
             let longer = home.elongate(e.to_array()).unwrap();
             let twisted = home.twist(rate).unwrap();
             let slice = home.slice(origin.to_array(), (u * 3.0).to_array(), w.to_array()).unwrap();
-            assert_eq!((longer.kind(), twisted.kind(), slice.kind()), (Kind::LowerBound, Kind::SignOnly, Kind::LowerBound));
+            assert_eq!(
+                (longer.kind(), twisted.kind(), slice.kind()),
+                (Kind::LowerBound, Kind::SignOnly, Kind::LowerBound)
+            );
             for _ in 0..50 {
                 let p = vector(&mut random, 3.0);
                 assert_eq!(longer.value(p).to_bits(), home.value(p - p.clamp(-e, e)).to_bits(), "{name} at {p}");

@@ -5,9 +5,7 @@ use super::scenes::one;
 use super::{direction, placed, rotation, vector};
 use crate::common::bodies;
 use crate::common::random::Random;
-use embound::geometry::{
-    Blend, ExpressionOptions, Function, FunctionOptions, Geometry, Kind, SdfOptions,
-};
+use embound::geometry::{Blend, ExpressionOptions, Function, FunctionOptions, Geometry, Kind, SdfOptions};
 use embound::math::{Aabb, Interval, Vec3};
 use embound::parallel::Run;
 use std::sync::Arc;
