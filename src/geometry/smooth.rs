@@ -35,16 +35,9 @@ impl Smooth {
 
     /// The parts that count, in rising order; one that is NaN alone.
     fn blended(&self, p: Vec3) -> Vec<Found> {
-        let least = self.parts.least(p);
-        if !least.value.is_finite() {
-            return vec![least];
-        }
-        let mut found = self.parts.below(p, least.value + self.blend.support());
-        if let Some(bad) = found.iter().find(|f| f.value.is_nan()) {
-            return vec![*bad];
-        }
+        let mut found = self.parts.near(p, self.blend.support());
         found.sort_unstable_by(|a, b| a.value.total_cmp(&b.value).then(a.part.cmp(&b.part)));
-        if found.is_empty() { vec![least] } else { found }
+        found
     }
 
     /// Blends until the rest is too far behind, or the blend failed: `blend` gets the number of the next part,
