@@ -7,7 +7,7 @@ mod build;
 mod nearest;
 mod overlap;
 
-pub(crate) use nearest::{LeafDistance, nearest};
+pub(crate) use nearest::{GROUP, LeafDistance, nearest, nearest_for_group};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};
 use crate::simd::lanes::WIDTH;

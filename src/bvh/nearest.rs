@@ -6,6 +6,7 @@
 use super::{LEAF, Node, Tree};
 use crate::math::{Vec3, f32_above};
 use crate::simd::lanes::{F32x8, I32x8, WIDTH};
+use crate::simd::prefetch;
 
 /// What a leaf does with the search: lowers its bound when it finds something nearer.
 pub(crate) trait LeafDistance {
@@ -29,72 +30,146 @@ const COMMON: usize = 64;
 #[inline(always)]
 pub(crate) fn nearest<const SIGNED: bool>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
     match WIDTH * tree.depth <= COMMON {
-        true => search::<SIGNED, COMMON>(tree, p, start, leaf),
-        false => search_deep::<SIGNED>(tree, p, start, leaf),
+        true => Descent::<COMMON>::new(tree, p).finish::<SIGNED>(tree, start, leaf),
+        false => nearest_in_deep::<SIGNED>(tree, p, start, leaf),
     }
 }
 
 #[cold]
 #[inline(never)]
-fn search_deep<const SIGNED: bool>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
-    search::<SIGNED, DEEPEST>(tree, p, start, leaf);
+fn nearest_in_deep<const SIGNED: bool>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
+    Descent::<DEEPEST>::new(tree, p).finish::<SIGNED>(tree, start, leaf);
 }
 
+/// Points that go down a tree side by side.
+pub(crate) const GROUP: usize = 16;
+
+/// [`nearest`] for up to [`GROUP`] points, each with its own start and leaf in `searches`. They go down to their first leaves
+/// level by level, so that the memory of one is fetched while others are computed; `fetch` asks for a leaf's.
 #[inline(always)]
-fn search<const SIGNED: bool, const STACK: usize>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
-    let at = (p - tree.center) * tree.scale;
-    // Room for the rounding of the point, of the differences and of the squares to f32, and for the lanes'
-    // numbers in the keys: boxes are within 1.
-    let room = 4e-6 * (1.0 + at.abs().max_element());
-    let at = [at.x as f32, at.y as f32, at.z as f32];
-    let limit = |distance: f64| {
-        let distance = distance * tree.scale + room;
-        let key = distance * distance.abs();
-        order(f32_above(key + key.abs() * 1e-6).to_bits() as i32) | LANE
-    };
-    let mut bound = limit(start);
-    // Two arrays side by side: a node's eight keys and children are stored at once.
-    let (mut keys_waiting, mut waiting) = ([0i32; STACK], [0u32; STACK]);
-    let (mut top, mut child) = (0, 0u32);
-    loop {
-        if child & LEAF != 0 {
-            bound = limit(leaf.visit((child & !LEAF) as usize));
-        } else {
-            let node = &tree.nodes[child as usize];
-            let keys = box_keys::<SIGNED>(node, at);
-            if bound >= UNBOUNDED {
-                // The way down to the first leaf: sorting all children would cost more than what their order
-                // saves. The nearest comes next.
-                let nearest = keys.least() as usize & (WIDTH - 1);
-                keys_waiting[top..top + WIDTH].copy_from_slice(&keys.0);
-                waiting[top..top + WIDTH].copy_from_slice(&node.child);
-                keys_waiting[top + nearest] = i32::MAX;
-                top += WIDTH;
-                child = node.child[nearest];
+pub(crate) fn nearest_for_group<const SIGNED: bool, L: LeafDistance>(
+    tree: &Tree,
+    points: &[Vec3],
+    fetch: impl Fn(usize),
+    searches: impl Iterator<Item = (f64, L)>,
+) {
+    if WIDTH * tree.depth > COMMON {
+        for (p, (start, mut leaf)) in points.iter().zip(searches) {
+            nearest_in_deep::<SIGNED>(tree, *p, start, &mut leaf);
+        }
+        return;
+    }
+    let mut descents = [const { Descent::<COMMON>::NOWHERE }; GROUP];
+    for (descent, p) in descents.iter_mut().zip(points) {
+        descent.place(tree, *p);
+    }
+    for _ in 0..tree.depth {
+        for descent in descents[..points.len().min(GROUP)].iter_mut() {
+            if descent.child & LEAF != 0 {
                 continue;
             }
-            let (first, mut near) = (top, keys.at_most(bound));
-            while near != 0 {
-                let k = near.trailing_zeros() as usize & (WIDTH - 1);
-                near &= near - 1;
-                // Insert so that the nearest ends on top.
-                let mut i = top;
-                while i > first && keys_waiting[i - 1] < keys.0[k] {
-                    (keys_waiting[i], waiting[i]) = (keys_waiting[i - 1], waiting[i - 1]);
-                    i -= 1;
-                }
-                (keys_waiting[i], waiting[i]) = (keys.0[k], node.child[k]);
-                top += 1;
+            descent.down::<SIGNED>(tree);
+            match descent.child & LEAF {
+                0 => prefetch(&tree.nodes[descent.child as usize]),
+                _ => fetch((descent.child & !LEAF) as usize),
             }
         }
+    }
+    for (descent, (start, mut leaf)) in descents.iter_mut().zip(searches) {
+        descent.finish::<SIGNED>(tree, start, &mut leaf);
+    }
+}
+
+/// A search under way.
+struct Descent<const STACK: usize> {
+    /// The point relative to the tree and scaled.
+    at: [f32; 3],
+    /// What distances are widened by for the rounding of f32.
+    room: f64,
+    /// Two arrays side by side: a node's eight keys and children are stored at once.
+    keys: [i32; STACK],
+    waiting: [u32; STACK],
+    top: usize,
+    /// The node or leaf to look at next.
+    child: u32,
+}
+
+impl<const STACK: usize> Descent<STACK> {
+    const NOWHERE: Descent<STACK> =
+        Descent { at: [0.0; 3], room: 0.0, keys: [0; STACK], waiting: [0; STACK], top: 0, child: 0 };
+
+    #[inline(always)]
+    fn new(tree: &Tree, p: Vec3) -> Descent<STACK> {
+        let mut descent = Descent::NOWHERE;
+        descent.place(tree, p);
+        descent
+    }
+
+    #[inline(always)]
+    fn place(&mut self, tree: &Tree, p: Vec3) {
+        let at = (p - tree.center) * tree.scale;
+        // Room for the rounding of the point, of the differences and of the squares to f32, and for the lanes'
+        // numbers in the keys: boxes are within 1.
+        self.room = 4e-6 * (1.0 + at.abs().max_element());
+        self.at = [at.x as f32, at.y as f32, at.z as f32];
+    }
+
+    /// From a node to its nearest child; the others wait. Sorting them would cost more than what their order
+    /// saves.
+    #[inline(always)]
+    fn down<const SIGNED: bool>(&mut self, tree: &Tree) {
+        let node = &tree.nodes[self.child as usize];
+        let keys = box_keys::<SIGNED>(node, self.at);
+        let nearest = keys.least() as usize & (WIDTH - 1);
+        self.keys[self.top..self.top + WIDTH].copy_from_slice(&keys.0);
+        self.waiting[self.top..self.top + WIDTH].copy_from_slice(&node.child);
+        self.keys[self.top + nearest] = i32::MAX;
+        self.top += WIDTH;
+        self.child = node.child[nearest];
+    }
+
+    #[inline(always)]
+    fn finish<const SIGNED: bool>(&mut self, tree: &Tree, start: f64, leaf: &mut impl LeafDistance) {
+        let room = self.room;
+        let limit = |distance: f64| {
+            let distance = distance * tree.scale + room;
+            let key = distance * distance.abs();
+            order(f32_above(key + key.abs() * 1e-6).to_bits() as i32) | LANE
+        };
+        let mut bound = limit(start);
         loop {
-            if top == 0 {
-                return;
+            if self.child & LEAF != 0 {
+                bound = limit(leaf.visit((self.child & !LEAF) as usize));
+            } else if bound >= UNBOUNDED {
+                // The way down to the first leaf.
+                self.down::<SIGNED>(tree);
+                continue;
+            } else {
+                let node = &tree.nodes[self.child as usize];
+                let keys = box_keys::<SIGNED>(node, self.at);
+                let (first, mut near) = (self.top, keys.at_most(bound));
+                while near != 0 {
+                    let k = near.trailing_zeros() as usize & (WIDTH - 1);
+                    near &= near - 1;
+                    // Insert so that the nearest ends on top.
+                    let mut i = self.top;
+                    while i > first && self.keys[i - 1] < keys.0[k] {
+                        (self.keys[i], self.waiting[i]) = (self.keys[i - 1], self.waiting[i - 1]);
+                        i -= 1;
+                    }
+                    (self.keys[i], self.waiting[i]) = (keys.0[k], node.child[k]);
+                    self.top += 1;
+                }
             }
-            top -= 1;
-            if keys_waiting[top] <= bound {
-                child = waiting[top];
-                break;
+            loop {
+                if self.top == 0 {
+                    return;
+                }
+                self.top -= 1;
+                if self.keys[self.top] <= bound {
+                    self.child = self.waiting[self.top];
+                    break;
+                }
             }
         }
     }

@@ -44,7 +44,7 @@ pub(super) struct Summary {
     pub(super) functions: bool,
     /// Whether a leaf below may have no value (NaN) at a finite point.
     pub(super) may_fail: bool,
-    /// Whether a function of the user's below takes many points at once.
+    /// Whether something below gains by many points at once.
     pub(super) batched: bool,
     pub(super) thread_safe: bool,
     /// Triangles and shapes; a shared part as often as it is used.
@@ -125,8 +125,13 @@ impl Summary {
     /// Of a union, or, turned, of an intersection; the empty one is nowhere, and exactly so.
     fn combined(parts: &Parts) -> Summary {
         let turned = parts.is_turned();
-        let mut all =
-            Summary { depth: 0, primitives: 0, rounding: (0.0, 0.0), ..Summary::leaf(Facts::exact(Aabb::EMPTY, 0.0)) };
+        let mut all = Summary {
+            batched: parts.is_batched(),
+            depth: 0,
+            primitives: 0,
+            rounding: (0.0, 0.0),
+            ..Summary::leaf(Facts::exact(Aabb::EMPTY, 0.0))
+        };
         let one = parts.list().len() == 1;
         for part in parts.list() {
             let s = part.summary().turned(turned);

@@ -4,10 +4,10 @@
 use super::Parts;
 use super::hierarchy::Hierarchy;
 use super::spheres::Block;
-use crate::bvh::{self, LeafDistance, Tree};
+use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::math::Vec3;
 use crate::simd::lanes::WIDTH;
-use crate::simd::{Kernel, dispatch};
+use crate::simd::{Kernel, dispatch, prefetch};
 
 /// A part and its value.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +25,8 @@ trait Sink {
 
 /// The least value, of equal ones that of the first part; the first that is NaN ends the search.
 struct Least(Found);
+
+const NOTHING: Least = Least(Found { value: f64::INFINITY, part: usize::MAX });
 
 impl Sink for Least {
     #[inline(always)]
@@ -73,7 +75,7 @@ impl Parts {
     /// The least value (signs turned where all are), of equal ones that of the first part; NaN where one is
     /// NaN; +inf of part `usize::MAX` where there are none.
     pub(in crate::geometry) fn least(&self, p: Vec3) -> Found {
-        let mut least = Least(Found { value: f64::INFINITY, part: usize::MAX });
+        let mut least = NOTHING;
         match &self.hierarchy {
             Some(hierarchy) if p.is_finite() => self.search(hierarchy, p, &mut least),
             _ => self.ask_all(p, &mut least),
@@ -81,11 +83,35 @@ impl Parts {
         least.0
     }
 
+    /// Whether many points at once cost less than one after another.
+    pub(in crate::geometry) fn is_batched(&self) -> bool {
+        self.hierarchy.as_ref().is_some_and(|h| h.spheres.is_some())
+    }
+
+    /// The value of [`Parts::least`] at each of many finite points.
+    pub(in crate::geometry) fn least_values(&self, points: &[Vec3], out: &mut [f64]) {
+        let Some((hierarchy, (tree, blocks))) = self.hierarchy.as_ref().and_then(|h| Some((h, h.spheres.as_ref()?)))
+        else {
+            points.iter().zip(out).for_each(|(p, value)| *value = self.least(*p).value);
+            return;
+        };
+        for (points, out) in points.chunks(GROUP).zip(out.chunks_mut(GROUP)) {
+            let mut least = [NOTHING; GROUP];
+            for (p, least) in points.iter().zip(&mut least) {
+                self.ask_beside(hierarchy, *p, least);
+            }
+            dispatch(SphereGroup { tree, blocks, hierarchy, points, least: &mut least });
+            for ((p, least), value) in points.iter().zip(&mut least).zip(out) {
+                self.search_others(hierarchy, *p, least);
+                *value = least.0.value;
+            }
+        }
+    }
+
     /// The same, alone where it is not finite, else with all parts less than `support` behind it, in no order.
     /// Each part is asked once: asked twice, unions within unions would take twice as long with each level.
     pub(in crate::geometry) fn near(&self, p: Vec3, support: f64) -> Vec<Found> {
-        let least = Least(Found { value: f64::INFINITY, part: usize::MAX });
-        let mut near = Near { least, support, found: Vec::new() };
+        let mut near = Near { least: NOTHING, support, found: Vec::new() };
         match &self.hierarchy {
             Some(hierarchy) if p.is_finite() => self.search(hierarchy, p, &mut near),
             _ => self.ask_all(p, &mut near),
@@ -109,6 +135,15 @@ impl Parts {
 
     #[inline(never)]
     fn search(&self, hierarchy: &Hierarchy, p: Vec3, sink: &mut impl Sink) {
+        self.ask_beside(hierarchy, p, sink);
+        if let Some((tree, blocks)) = &hierarchy.spheres {
+            dispatch(SphereSearch { tree, blocks, hierarchy, p, extent: p.abs().max_element(), sink });
+        }
+        self.search_others(hierarchy, p, sink);
+    }
+
+    /// The parts that are always asked.
+    fn ask_beside(&self, hierarchy: &Hierarchy, p: Vec3, sink: &mut impl Sink) {
         for &part in &hierarchy.beside {
             let value = self.signed(part as usize, p);
             sink.offer(value, part as usize);
@@ -116,15 +151,39 @@ impl Parts {
                 return;
             }
         }
-        let extent = p.abs().max_element();
-        if let Some((tree, blocks)) = &hierarchy.spheres {
-            dispatch(SphereSearch { tree, blocks, hierarchy, p, extent, sink });
-        }
+    }
+
+    fn search_others(&self, hierarchy: &Hierarchy, p: Vec3, sink: &mut impl Sink) {
         if let Some((tree, parts)) = &hierarchy.others {
+            let extent = p.abs().max_element();
             let start = hierarchy.bound(sink.limit(), extent);
             let mut leaf = Others { all: self, parts, hierarchy, p, extent, sink };
             bvh::nearest::<true>(tree, p, start, &mut leaf);
         }
+    }
+}
+
+/// Balls, at a few points side by side.
+struct SphereGroup<'a> {
+    tree: &'a Tree,
+    blocks: &'a [Block],
+    hierarchy: &'a Hierarchy,
+    points: &'a [Vec3],
+    least: &'a mut [Least; GROUP],
+}
+
+impl Kernel for SphereGroup<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let SphereGroup { tree, blocks, hierarchy, points, least } = self;
+        let searches = points.iter().zip(least.iter_mut()).map(|(&p, sink)| {
+            let extent = p.abs().max_element();
+            let start = hierarchy.bound(sink.limit(), extent);
+            (start, SphereSearch { tree, blocks, hierarchy, p, extent, sink })
+        });
+        bvh::nearest_for_group::<true, _>(tree, points, |leaf| prefetch(&blocks[leaf]), searches);
     }
 }
 
