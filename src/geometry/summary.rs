@@ -93,6 +93,7 @@ impl Summary {
             rounding: (unit, unit * (surface.reach() + surface.diagonal())),
             sign_method: surface.sign_method(),
             surfaces: true,
+            batched: true,
             primitives: surface.triangle_count() as u64,
             ..Summary::leaf(Facts::exact(bounds, 0.0))
         }

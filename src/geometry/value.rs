@@ -62,7 +62,10 @@ impl Geometry {
         let mapped = |map: &dyn Fn(Vec3) -> Vec3| points.iter().map(|p| map(*p)).collect::<Vec<_>>();
         match self.node() {
             Node::Function { function, .. } => function.values(points, out),
-            Node::Union(parts) if parts.is_batched() => parts.least_values(points, out),
+            Node::Surface(surface) if points.iter().all(|p| p.is_finite()) => surface.values(points, out),
+            Node::Union(parts) if parts.is_batched() && points.iter().all(|p| p.is_finite()) => {
+                parts.least_values(points, out);
+            }
             Node::Union(parts) | Node::Intersection(parts) if parts.list().len() <= MOST_BLOCK_PARTS => {
                 let sign = if parts.is_turned() { -1.0 } else { 1.0 };
                 out.fill(f64::INFINITY);

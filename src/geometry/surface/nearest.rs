@@ -2,11 +2,11 @@
 //! Nearest triangle: least squared distance as the kernel computes it, then least index.
 
 use super::{Block, NO_TRIANGLE, Surface};
-use crate::bvh::{self, LeafDistance, Tree};
+use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::math::{Vec3, length};
 use crate::primitive::triangle::{self, Foot, RELATIVE_ERROR, V3};
 use crate::simd::lanes::{F64x8, Lanes, WIDTH};
-use crate::simd::{Kernel, dispatch};
+use crate::simd::{Kernel, dispatch, prefetch};
 
 /// The nearest triangle and where on it.
 #[derive(Clone, Copy, Debug)]
@@ -51,9 +51,8 @@ impl Kernel for Search<'_> {
 
     #[inline(always)]
     fn run(self) -> Best {
-        let p = V3([Lanes::splat(self.p.x), Lanes::splat(self.p.y), Lanes::splat(self.p.z)]);
-        let diagonal = self.tree.map_or(0.0, Tree::diagonal);
-        let mut leaf = Leaf { blocks: self.blocks, p, diagonal, best: Best::NONE };
+        let mut best = Best::NONE;
+        let mut leaf = Leaf::new(self.blocks, self.tree, self.p, &mut best);
         match self.tree {
             Some(tree) => bvh::nearest::<false>(tree, self.p, f64::INFINITY, &mut leaf),
             None => {
@@ -62,7 +61,29 @@ impl Kernel for Search<'_> {
                 }
             }
         }
-        leaf.best
+        best
+    }
+}
+
+/// The search by the hierarchy, for a few points side by side.
+struct SearchGroup<'a> {
+    blocks: &'a [Block],
+    tree: &'a Tree,
+    points: &'a [Vec3],
+}
+
+impl Kernel for SearchGroup<'_> {
+    type Output = [Best; GROUP];
+
+    #[inline(always)]
+    fn run(self) -> [Best; GROUP] {
+        let SearchGroup { blocks, tree, points } = self;
+        let mut best = [Best::NONE; GROUP];
+        let fetch = |leaf: usize| prefetch(&blocks[leaf]);
+        let searches = points.iter().zip(&mut best);
+        let searches = searches.map(|(&p, best)| (f64::INFINITY, Leaf::new(blocks, Some(tree), p, best)));
+        bvh::nearest_for_group::<false, _>(tree, points, fetch, searches);
+        best
     }
 }
 
@@ -71,7 +92,15 @@ struct Leaf<'a> {
     p: V3<F64x8>,
     /// Of the tree.
     diagonal: f64,
-    best: Best,
+    best: &'a mut Best,
+}
+
+impl<'a> Leaf<'a> {
+    #[inline(always)]
+    fn new(blocks: &'a [Block], tree: Option<&Tree>, p: Vec3, best: &'a mut Best) -> Leaf<'a> {
+        let p = V3([Lanes::splat(p.x), Lanes::splat(p.y), Lanes::splat(p.z)]);
+        Leaf { blocks, p, diagonal: tree.map_or(0.0, Tree::diagonal), best }
+    }
 }
 
 impl LeafDistance for Leaf<'_> {
@@ -79,7 +108,10 @@ impl LeafDistance for Leaf<'_> {
     fn visit(&mut self, leaf: usize) -> f64 {
         let block = &self.blocks[leaf];
         let foot = triangle::nearest(&block.lanes, self.p);
-        for k in 0..WIDTH {
+        let mut near = foot.squared.at_most(self.best.squared);
+        while near != 0 {
+            let k = near.trailing_zeros() as usize & (WIDTH - 1);
+            near &= near - 1;
             self.best.offer(foot.squared.0[k], block.triangle[k]);
         }
         let d = self.best.squared.sqrt();
@@ -90,7 +122,25 @@ impl LeafDistance for Leaf<'_> {
 impl Surface {
     /// The nearest triangle to a finite point.
     pub(crate) fn nearest(&self, p: Vec3) -> Nearest {
-        let best = dispatch(Search { blocks: &self.blocks, tree: self.tree.as_ref(), p });
+        self.at(p, dispatch(Search { blocks: &self.blocks, tree: self.tree.as_ref(), p }))
+    }
+
+    /// The signed distances of many finite points.
+    pub(crate) fn values(&self, points: &[Vec3], out: &mut [f64]) {
+        let Some(tree) = &self.tree else {
+            points.iter().zip(out).for_each(|(p, value)| *value = self.value(*p));
+            return;
+        };
+        for (points, out) in points.chunks(GROUP).zip(out.chunks_mut(GROUP)) {
+            let best = dispatch(SearchGroup { blocks: &self.blocks, tree, points });
+            for ((p, best), value) in points.iter().zip(best).zip(out) {
+                *value = self.signed(*p, &self.at(*p, best));
+            }
+        }
+    }
+
+    /// What there is to know of the triangle found.
+    fn at(&self, p: Vec3, best: Best) -> Nearest {
         // Beyond 1e154 every squared distance is infinite and the first triangle stands for all.
         let triangle = if best.triangle == NO_TRIANGLE { 0 } else { best.triangle };
         let prepared = self.prepared(triangle);
