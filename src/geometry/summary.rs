@@ -274,9 +274,10 @@ pub(super) fn extent(b: Aabb) -> f64 {
     coordinates.filter(|c| c.is_finite()).fold(0.0, |m, c| m.max(c.abs()))
 }
 
-/// The box with `reach` added on all sides, rounded outward; all of space where that is infinite.
+/// The box with `reach` added on all sides, rounded outward; all of space where that is infinite, even of none:
+/// what is nowhere may be close to zero everywhere.
 pub(super) fn grown(b: Aabb, reach: Vec3) -> Aabb {
-    if b == Aabb::EMPTY {
+    if b == Aabb::EMPTY && reach.is_finite() {
         return b;
     }
     let rounding = |corner: Vec3| (corner.abs() + reach) * ROUNDING;

@@ -21,7 +21,7 @@ fn points(parts: &[Geometry], middle: Vec3, size: f64, count: usize, random: &mu
             }
             3 => parts[random.below(parts.len())].closest(any).point,
             4 => parts[random.below(parts.len())].closest(any).point + vector(random, 1e-7) * size,
-            _ => middle + direction(random) * size * [30.0, 1e3, 1e9][k / 6 % 3],
+            _ => middle + direction(random) * size * [30.0, 1e3, 1e9, 1e100, 1e150][k / 6 % 5],
         });
     }
     all.retain(|p| p.is_finite());

@@ -4,8 +4,9 @@
 use super::scenes::exact;
 use super::{between, same, vector};
 use crate::common::random::Random;
-use embound::geometry::{Geometry, Kind};
-use embound::math::Vec3;
+use embound::geometry::{Blend, Geometry, Kind};
+use embound::math::{Aabb, Vec3};
+use embound::query;
 
 /// Convex bodies: exact outward; ball and plane and torus both ways.
 const CONVEX: [&str; 12] = [
@@ -192,6 +193,27 @@ fn a_lower_bound_is_the_value_over_its_lipschitz_constant() {
     }
     let unknown = ball().twist(30.0).unwrap().lower_bound().err().expect("refused");
     assert_eq!(unknown.status(), embound::Status::Unsupported);
+}
+
+/// A grid of positive values has no body, and one close by.
+#[test]
+fn what_is_nowhere_may_be_somewhere_when_it_grows() {
+    let axis = [-1.0, 1.0];
+    let values = [0.1, 0.1, 0.2, 0.2, 0.1, 0.1, 0.2, 0.3];
+    let g = Geometry::grid([&axis; 3], &values).unwrap();
+    let all = Geometry::grid([&axis; 3], &values.map(|x| -x)).unwrap();
+    let here = Aabb::new(Vec3::splat(-0.5), Vec3::splat(0.5));
+    assert_eq!((g.bounds(), query::classify_box(&g, here)), (Aabb::EMPTY, 1));
+    let blend = Blend::Exponential(1.0);
+    for g in [
+        g.offset(0.5).unwrap(),
+        g.annular(0.5).unwrap(),
+        all.offset(-0.5).unwrap().complement().unwrap(),
+        Geometry::smooth_union(&[g.clone(), g.clone()], &blend).unwrap(),
+    ] {
+        assert!(g.value(Vec3::ZERO) < 0.0 && g.bounds().contains(Vec3::ZERO), "{:?}", g.bounds());
+        assert_ne!(query::classify_box(&g, here), 1);
+    }
 }
 
 /// What is made of a lower bound by operations that keep it one.
