@@ -238,8 +238,9 @@ pub unsafe extern "C" fn emb_geom_intercepts(
 
 /// Which side of the surface a closed box lies on: -1: the value is negative at every double of it, +1: positive at every
 /// one, rounding included; 0: mixed, or not known, or NULL, NaN or lo > hi. lo = hi is legal. Never wrong, so a solver may
-/// skip what it calls uniform; but 0 includes boxes that are merely near the surface (nearer than half their diagonal),
-/// the more the longer and thinner they are. The thread's last message stays as it is. Any thread.
+/// skip what it calls uniform. Of a mesh every box is told apart that no triangle comes near, of balls, boxes and planes
+/// every one; of other shapes and of composites 0 includes boxes merely near the surface (nearer than half their
+/// diagonal), the more the longer and thinner they are. The thread's last message stays as it is. Any thread.
 /// cbindgen:ptrs-as-arrays=[[lo;3], [hi;3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_classify_box(g: *const emb_geom, lo: *const f64, hi: *const f64) -> i32 {
