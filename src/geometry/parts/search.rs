@@ -5,6 +5,7 @@ use super::Parts;
 use super::hierarchy::Hierarchy;
 use super::spheres::Block;
 use crate::bvh::{self, LeafDistance, Tree};
+use crate::geometry::summary::ROOT_OF_THREE;
 use crate::math::Vec3;
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
@@ -116,7 +117,7 @@ impl Parts {
                 return;
             }
         }
-        let extent = p.abs().max_element();
+        let extent = ROOT_OF_THREE * p.abs().max_element();
         if let Some((tree, blocks)) = &hierarchy.spheres {
             dispatch(SphereSearch { tree, blocks, hierarchy, p, extent, sink });
         }
