@@ -57,7 +57,9 @@ impl Level {
             _ => Kind::SignOnly,
         };
         let wider = |b: Aabb, d: f64| if d > 0.0 { grown(b, Vec3::splat(d * s.spread_axis)) } else { b };
-        let rounding = |d: f64| (s.rounding.0, s.rounding.1 + 4.0 * f64::EPSILON * d.abs());
+        // Values add their rounding to that of the difference.
+        let unit = 4.0 * f64::EPSILON;
+        let rounding = |d: f64| (s.rounding.0 + unit * s.steepness(), s.rounding.1 + unit * (d.abs() + s.magnitude));
         match self {
             Level::Offset(d) => Summary {
                 bounds: wider(s.bounds, d),
@@ -65,8 +67,8 @@ impl Level {
                 kind: kind(-s.reach_inward < d && d < s.reach_outward),
                 reach_outward: (s.reach_outward - d).max(0.0),
                 reach_inward: (s.reach_inward + d).max(0.0),
-                // Values add their rounding to that of the difference.
-                rounding: (rounding(d).0 + 4.0 * f64::EPSILON, rounding(d).1),
+                rounding: rounding(d),
+                magnitude: s.magnitude + d.abs(),
                 ..s
             },
             Level::Annular(d) => Summary {
@@ -75,7 +77,8 @@ impl Level {
                 kind: kind(d < s.reach_inward.min(s.reach_outward)),
                 reach_outward: 0.0,
                 reach_inward: 0.0,
-                rounding: (rounding(d).0 + 4.0 * f64::EPSILON, rounding(d).1),
+                rounding: rounding(d),
+                magnitude: s.magnitude + d,
                 ..s
             },
             Level::Divided(c) => Summary {
@@ -87,7 +90,8 @@ impl Level {
                 spread_axis: s.spread_axis * c,
                 reach_outward: 0.0,
                 reach_inward: 0.0,
-                rounding: (s.rounding.0 / c + 4.0 * f64::EPSILON, s.rounding.1 / c),
+                rounding: (s.rounding.0 / c + unit, (s.rounding.1 + unit * s.magnitude) / c),
+                magnitude: s.magnitude / c,
                 ..s
             },
         }

@@ -230,8 +230,8 @@ impl Map {
                 let to_space = |b: Aabb| back.around(b);
                 let most = back.most();
                 let unit = 64.0 * f64::EPSILON * factor * steep;
-                // A point of space with coordinates up to E is mapped to within 3 norm E + |offset|.
-                let (reach, far) = (3.0 * norm, offset.abs().max_element());
+                // A point of space up to E from the origin is mapped to within norm E + |offset|.
+                let far = length(*offset);
                 Summary {
                     bounds: to_space(s.bounds),
                     rest: to_space(s.rest),
@@ -240,9 +240,11 @@ impl Map {
                     spread_rest: s.spread_rest * most / factor,
                     spread_axis: s.spread.max(s.spread_rest) * most / factor,
                     rounding: (
-                        (factor * s.rounding.0 + unit) * reach,
-                        factor * s.rounding.1 + (factor * s.rounding.0 + unit) * far,
+                        (factor * s.rounding.0 + unit) * norm,
+                        factor * (s.rounding.1 + 2.0 * f64::EPSILON * s.magnitude)
+                            + (factor * s.rounding.0 + unit) * far,
                     ),
+                    magnitude: factor * (s.magnitude + steep * far),
                     ..base
                 }
             }
@@ -255,16 +257,17 @@ impl Map {
                 spread_rest: f64::INFINITY,
                 spread_axis: f64::INFINITY,
                 rounding: (
-                    3.0 * s.rounding.0 + 64.0 * f64::EPSILON * steep,
-                    s.rounding.1 + (s.rounding.0 + 64.0 * f64::EPSILON * steep) * l.offset.abs().max_element(),
+                    s.rounding.0 + 64.0 * f64::EPSILON * steep,
+                    s.rounding.1 + (s.rounding.0 + 64.0 * f64::EPSILON * steep) * length(l.offset),
                 ),
+                magnitude: s.magnitude + steep * length(l.offset),
                 ..base
             },
             Map::Elongate(e) => Summary {
                 bounds: grown(s.bounds, *e),
                 rest: grown(s.rest, *e),
                 kind: bound(true),
-                rounding: (2.0 * s.rounding.0 + 4.0 * f64::EPSILON * steep, s.rounding.1),
+                rounding: (s.rounding.0 + 4.0 * f64::EPSILON * steep, s.rounding.1),
                 ..base
             },
             Map::Twist(_) => Summary {
@@ -275,7 +278,7 @@ impl Map {
                 spread: f64::INFINITY,
                 spread_rest: f64::INFINITY,
                 spread_axis: f64::INFINITY,
-                rounding: (2.0 * s.rounding.0 + 64.0 * f64::EPSILON * steep, s.rounding.1),
+                rounding: (s.rounding.0 + 64.0 * f64::EPSILON * steep, s.rounding.1),
                 ..base
             },
         }

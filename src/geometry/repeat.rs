@@ -5,9 +5,9 @@
 use super::Geometry;
 use super::parts::Found;
 use super::properties::Kind;
-use super::summary::{Summary, grown};
+use super::summary::{ROOT_OF_THREE, Summary, grown};
 use crate::error::{Error, Result};
-use crate::math::{Aabb, Interval, Vec3};
+use crate::math::{Aabb, Interval, Vec3, length};
 
 /// Copies that may have to be asked one by one where the child has no bounds.
 const MOST_UNBOUNDED: u64 = 1 << 20;
@@ -95,7 +95,7 @@ impl Repeat {
         if let Some(at) = nearest {
             offer(at, &mut best);
         }
-        let extent = p.abs().max_element() + self.farthest();
+        let extent = ROOT_OF_THREE * (p.abs().max_element() + self.farthest());
         let reach = |value: f64| {
             let margin = (s.rounding.0 + 16.0 * f64::EPSILON) * extent + s.rounding.1;
             let reach = value + margin;
@@ -198,8 +198,9 @@ impl Repeat {
             reach_inward: if single { s.reach_inward } else { 0.0 },
             rounding: (
                 s.rounding.0 + 4.0 * f64::EPSILON * steep,
-                s.rounding.1 + (s.rounding.0 + 4.0 * f64::EPSILON * steep) * last.abs().max_element(),
+                s.rounding.1 + (s.rounding.0 + 4.0 * f64::EPSILON * steep) * length(last),
             ),
+            magnitude: s.magnitude + steep * length(last),
             ..s
         }
     }

@@ -100,7 +100,11 @@ impl Smooth {
             reach_outward: 0.0,
             reach_inward: 0.0,
             // Blends round values and what they take off.
-            rounding: (s.rounding.0 + 4.0 * unit, s.rounding.1 + unit * (self.depth + s.extent())),
+            rounding: (
+                s.rounding.0 + 4.0 * unit * s.steepness(),
+                s.rounding.1 + unit * (self.depth + s.extent() + s.magnitude),
+            ),
+            magnitude: s.magnitude + self.depth,
             ..s
         }
     }

@@ -4,7 +4,7 @@
 
 use super::Geometry;
 use super::properties::Kind;
-use super::summary::{Summary, grown};
+use super::summary::{ROOT_OF_THREE, Summary, grown};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Interval, Vec3};
 
@@ -72,6 +72,7 @@ impl Stencil {
     /// Of the node over a child of which `s` is known.
     pub(super) fn summary(&self, s: Summary) -> Summary {
         let rounding = 2.0 * f64::EPSILON * (self.samples.len() + 4) as f64;
+        let (steep, reach) = (s.steepness(), ROOT_OF_THREE * self.reach);
         Summary {
             // Where the mean is not positive, one of the samples is not.
             bounds: grown(s.bounds, Vec3::splat(self.reach)),
@@ -79,7 +80,11 @@ impl Stencil {
             kind: if s.lipschitz <= 1.0 { Kind::LowerBound } else { Kind::SignOnly },
             reach_outward: 0.0,
             reach_inward: 0.0,
-            rounding: (s.rounding.0 + rounding * s.steepness(), s.rounding.1 + (s.rounding.0 + rounding) * self.reach),
+            rounding: (
+                s.rounding.0 + rounding * steep,
+                s.rounding.1 + (s.rounding.0 + rounding * steep) * reach + rounding * s.magnitude,
+            ),
+            magnitude: s.magnitude + steep * reach,
             ..s
         }
     }

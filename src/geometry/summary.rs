@@ -9,7 +9,7 @@ use super::placement::Placement;
 use super::properties::{Function, FunctionOptions, Kind, Properties, SignMethod};
 use super::shape::{Facts, Shape};
 use super::surface::Surface;
-use crate::math::{Aabb, Vec3};
+use crate::math::{Aabb, Vec3, length};
 use crate::primitive::triangle::RELATIVE_ERROR;
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -17,6 +17,9 @@ use std::sync::Arc;
 /// Bounds are widened by this much of what was added, twice over what rounding can do: a point whose value
 /// comes out as zero lies within.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A point is at most so many times as far as its largest coordinate; rounded up.
+pub(super) const ROOT_OF_THREE: f64 = 1.732050807568878;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summary {
@@ -35,8 +38,11 @@ pub(super) struct Summary {
     /// How far the surface can be offset outward, and inward, and the value stay exact.
     pub(super) reach_outward: f64,
     pub(super) reach_inward: f64,
-    /// Bound on |computed value - true value| for coordinates up to E: `rounding.0 * E + rounding.1`.
+    /// Bound on |computed value - true value| up to E from the origin: `rounding.0 * E + rounding.1`. Of lengths
+    /// rather than coordinates, for turning leaves them: the bound grows with the levels, not with their powers.
     pub(super) rounding: (f64, f64),
+    /// The value there is at most E times the Lipschitz constant plus this; what is added to it rounds by so much.
+    pub(super) magnitude: f64,
     /// The one method of all meshes below; Auto where there is none or several.
     pub(super) sign_method: SignMethod,
     pub(super) surfaces: bool,
@@ -71,6 +77,8 @@ impl Summary {
             reach_outward: facts.reach_outward,
             reach_inward: facts.reach_inward,
             rounding: facts.rounding,
+            // Its rounding is at least so much of the numbers that the value is made of.
+            magnitude: facts.rounding.1 / (4.0 * f64::EPSILON),
             sign_method: SignMethod::Auto,
             surfaces: false,
             functions: false,
@@ -91,6 +99,7 @@ impl Summary {
         Summary {
             rest,
             rounding: (unit, unit * (surface.reach() + surface.diagonal())),
+            magnitude: surface.reach() + surface.diagonal(),
             sign_method: surface.sign_method(),
             surfaces: true,
             batched: true,
@@ -131,6 +140,7 @@ impl Summary {
             depth: 0,
             primitives: 0,
             rounding: (0.0, 0.0),
+            magnitude: 0.0,
             ..Summary::leaf(Facts::exact(Aabb::EMPTY, 0.0))
         };
         let one = parts.list().len() == 1;
@@ -150,6 +160,7 @@ impl Summary {
             all.spread_rest = if one { s.spread_rest } else { all.spread_rest.max(s.spread_axis) };
             all.spread_axis = all.spread_axis.max(s.spread_axis);
             all.rounding = (all.rounding.0.max(s.rounding.0), all.rounding.1.max(s.rounding.1));
+            all.magnitude = all.magnitude.max(s.magnitude);
             all.surfaces |= s.surfaces;
             all.functions |= s.functions;
             all.may_fail |= s.may_fail;
@@ -161,7 +172,7 @@ impl Summary {
         }
         if parts.list().len() > 1 {
             // Boxes that are all near along each axis are within the root of three.
-            all.spread_rest *= 1.7320508075688774;
+            all.spread_rest *= ROOT_OF_THREE;
             if all.kind == Kind::Exact && !parts.are_disjoint() {
                 all.kind = Kind::LowerBound;
             }
@@ -197,16 +208,18 @@ impl Summary {
             Aabb::new(-finite(-lo, rounding(b.lo)), finite(hi, rounding(b.hi)))
         };
         let unit = 2.0 * f64::EPSILON * self.steepness();
-        let far = shift.abs().max_element();
+        let far = length(shift);
         let rounding = (self.rounding.0 + unit, self.rounding.1 + (self.rounding.0 + unit) * far);
-        Summary { bounds: moved(self.bounds), rest: moved(self.rest), rounding, ..self }
+        let magnitude = self.magnitude + self.steepness() * far;
+        Summary { bounds: moved(self.bounds), rest: moved(self.rest), rounding, magnitude, ..self }
     }
 
     fn placed(self, placement: &Placement) -> Summary {
         let scale = placement.scale();
         let unit = 32.0 * f64::EPSILON * self.steepness();
-        let far = placement.shift().abs().max_element();
-        let rounding = (2.0 * self.rounding.0 + unit, scale * self.rounding.1 + (2.0 * self.rounding.0 + unit) * far);
+        let far = length(placement.shift());
+        let own = scale * (self.rounding.1 + 2.0 * f64::EPSILON * self.magnitude);
+        let rounding = (self.rounding.0 + unit, own + (self.rounding.0 + unit) * far);
         Summary {
             bounds: placement.box_to_space(self.bounds),
             rest: placement.box_to_space(self.rest),
@@ -215,6 +228,7 @@ impl Summary {
             reach_outward: self.reach_outward * scale,
             reach_inward: self.reach_inward * scale,
             rounding,
+            magnitude: scale * self.magnitude + self.steepness() * far,
             ..self
         }
     }
@@ -232,7 +246,7 @@ impl Summary {
 
     /// Bound on how far a computed value can be from the true one, for coordinates up to `extent`.
     pub(super) fn error(&self, extent: f64) -> f64 {
-        self.rounding.0 * extent + self.rounding.1
+        self.rounding.0 * (ROOT_OF_THREE * extent) + self.rounding.1
     }
 
     pub(super) fn of(node: &Node) -> Summary {

@@ -5,7 +5,7 @@
 use super::trees::{each, places};
 use super::vector;
 use crate::common::random::Random;
-use embound::geometry::{Geometry, Kind};
+use embound::geometry::{Blend, Geometry, Kind};
 use embound::math::{Aabb, Vec3};
 use embound::query;
 
@@ -81,6 +81,22 @@ fn a_mixed_box_is_near_the_surface_where_the_value_is_a_distance() {
     assert!(mixed > 2000, "{mixed}");
 }
 
+/// What is known of rounding grows with the levels, not with their powers.
+#[test]
+fn bodies_placed_sixty_times_over_are_classified_as_they_were() {
+    let mut random = Random(16);
+    for _ in 0..10 {
+        let g = nested(&super::scenes::one(&mut random), 60, 1.25);
+        let g = Geometry::union(&[g]).unwrap().elongate([0.0; 3]).unwrap().part(2).unwrap();
+        for p in places(&g, 60, &mut random) {
+            let b = cuboid(p, random.range(-22.0, 1.5).exp2(), &mut random);
+            let (value, half) = (g.value(b.center()), 0.5 * b.diagonal());
+            let class = assert_true("nested", &g, b, &mut random);
+            assert!(class != 0 || value.abs() <= 1.0001 * half + 1e-11, "shy of {value} at {b:?}, half {half}");
+        }
+    }
+}
+
 /// Sides that rounding alone decides: boxes of a few doubles around the surface.
 #[test]
 fn boxes_of_a_few_doubles_on_the_surface_are_not_called_uniform_wrongly() {
@@ -103,6 +119,20 @@ fn shear(by: f64) -> [f64; 9] {
 /// The shift that such a one the other way makes of another.
 fn undone(by: f64, back: [f64; 3]) -> [f64; 3] {
     [back[0] - by * back[2], back[1], back[2]]
+}
+
+fn blended(g: &Geometry, n: usize) -> Geometry {
+    let copies: Vec<Geometry> = (0..n).map(|k| g.translate([0.01 * k as f64, 0.0, 0.0]).unwrap()).collect();
+    Geometry::smooth_union(&copies, &Blend::Smooth(0.3)).unwrap()
+}
+
+/// Placed again and again, labels keeping the placements apart; scaled up and back.
+fn nested(g: &Geometry, levels: usize, factor: f64) -> Geometry {
+    (0..levels).fold(g.clone(), |g, k| {
+        let factor = if k % 2 == 0 { factor } else { 1.0 / factor };
+        let turned = g.rotate([1.0, 2.0, 3.0], 40.0, [0.1, 0.2, 0.3]).unwrap();
+        turned.scale(factor).unwrap().part(1).unwrap()
+    })
 }
 
 /// Offsets by much more than the body is large, and back: values round to what is large.
@@ -133,6 +163,9 @@ fn boxes_of_bodies_that_went_through_large_numbers_are_classified_soundly() {
                 .affine(shear(-0.1 * d.sqrt()), undone(0.1 * d.sqrt(), back))
                 .unwrap(),
             home.annular(d).unwrap().offset(d).unwrap().offset(-0.01).unwrap(),
+            blended(&home.offset(d).unwrap(), 2).offset(-d).unwrap(),
+            blended(&home.offset(-d).unwrap(), 40).offset(d).unwrap(),
+            nested(&home.offset(d).unwrap(), 60, 1.25).offset(-d).unwrap(),
         ];
         for (which, g) in all.iter().enumerate() {
             for p in places(g, 30, &mut random) {

@@ -94,8 +94,8 @@ impl Hierarchy {
         self.beside.binary_search(&(part as u32)).is_ok()
     }
 
-    /// The distance to a box beyond which every part's value, as computed for a point with
-    /// coordinates up to `extent`, is above `value`.
+    /// The distance to a box beyond which every part's value, as computed for a point up to
+    /// `extent` from the origin, is above `value`.
     #[inline(always)]
     pub(super) fn bound(&self, value: f64, extent: f64) -> f64 {
         let margin = self.rounding.0 * extent + self.rounding.1;

@@ -5,6 +5,7 @@ use super::Parts;
 use super::hierarchy::Hierarchy;
 use super::spheres::Block;
 use crate::bvh::{self, GROUP, LeafDistance, Tree};
+use crate::geometry::summary::ROOT_OF_THREE;
 use crate::math::Vec3;
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch, prefetch};
@@ -137,7 +138,7 @@ impl Parts {
     fn search(&self, hierarchy: &Hierarchy, p: Vec3, sink: &mut impl Sink) {
         self.ask_beside(hierarchy, p, sink);
         if let Some((tree, blocks)) = &hierarchy.spheres {
-            dispatch(SphereSearch { tree, blocks, hierarchy, p, extent: p.abs().max_element(), sink });
+            dispatch(SphereSearch { tree, blocks, hierarchy, p, extent: extent(p), sink });
         }
         self.search_others(hierarchy, p, sink);
     }
@@ -155,7 +156,7 @@ impl Parts {
 
     fn search_others(&self, hierarchy: &Hierarchy, p: Vec3, sink: &mut impl Sink) {
         if let Some((tree, parts)) = &hierarchy.others {
-            let extent = p.abs().max_element();
+            let extent = extent(p);
             let start = hierarchy.bound(sink.limit(), extent);
             let mut leaf = Others { all: self, parts, hierarchy, p, extent, sink };
             bvh::nearest::<true>(tree, p, start, &mut leaf);
@@ -179,7 +180,7 @@ impl Kernel for SphereGroup<'_> {
     fn run(self) {
         let SphereGroup { tree, blocks, hierarchy, points, least } = self;
         let searches = points.iter().zip(least.iter_mut()).map(|(&p, sink)| {
-            let extent = p.abs().max_element();
+            let extent = extent(p);
             let start = hierarchy.bound(sink.limit(), extent);
             (start, SphereSearch { tree, blocks, hierarchy, p, extent, sink })
         });
@@ -238,4 +239,10 @@ impl<S: Sink> LeafDistance for Others<'_, S> {
         self.sink.offer(self.all.signed(part, self.p), part);
         self.hierarchy.bound(self.sink.limit(), self.extent)
     }
+}
+
+/// How far a point is from the origin at most.
+#[inline(always)]
+fn extent(p: Vec3) -> f64 {
+    ROOT_OF_THREE * p.abs().max_element()
 }
