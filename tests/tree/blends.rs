@@ -52,7 +52,7 @@ fn textbook(blend: &Blend, a: f64, b: f64) -> f64 {
     }
 }
 
-/// Rising values blended until the next is too far behind: with the library's own two-part blend at each step.
+/// Rising values blended until the next is too far behind.
 fn folded(blend: &Blend, mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let mut value = values[0];
@@ -65,7 +65,7 @@ fn folded(blend: &Blend, mut values: Vec<f64>) -> f64 {
     value
 }
 
-/// The step, with the bits that `docs` promise.
+/// The blend of a <= b by the documented formula, with its bits.
 fn two(blend: &Blend, a: f64, b: f64) -> f64 {
     match blend {
         Blend::Smooth(s) => {

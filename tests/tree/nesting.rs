@@ -104,8 +104,9 @@ fn exactly_a_thousand_levels_are_allowed() {
     let error = g.complement().err().expect("refused");
     assert_eq!(error.status(), Status::Unsupported);
     assert!(error.message().contains("1001"), "{error}");
-    let nested =
-        |g: &Geometry| [g.part(1), Geometry::union(&[g.clone()]), g.offset(0.1), g.annular(0.1), g.blur(0.1, 0.5)];
+    let nested = |g: &Geometry| {
+        [g.part(1), Geometry::union(std::slice::from_ref(g)), g.offset(0.1), g.annular(0.1), g.blur(0.1, 0.5)]
+    };
     assert!(nested(&g).iter().all(|g| g.is_err()));
     // What collapses is no deeper.
     let placed = Geometry::sphere([0.0; 3], 1.0).unwrap().translate([1.0; 3]).unwrap();

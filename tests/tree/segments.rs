@@ -51,7 +51,7 @@ fn segments(g: &Geometry, count: usize, random: &mut Random) -> Vec<(Vec3, Vec3)
 #[test]
 fn a_crossing_of_a_random_tree_is_where_the_side_changes() {
     let mut crossed = 0;
-    each(21, 400, |k, g, random| {
+    each(21, 300, |k, g, random| {
         let there = segments(g, 80, random);
         let back: Vec<(Vec3, Vec3)> = there.iter().map(|(a, b)| (*b, *a)).collect();
         let (hits, backs) = (intercepts(g, &there), intercepts(g, &back));
@@ -79,25 +79,17 @@ fn a_crossing_of_a_random_tree_is_where_the_side_changes() {
                 (if hit.t < step { fa <= 0.0 } else { sides.0 }, if hit.t > 1.0 - step { fb <= 0.0 } else { sides.1 });
             let flat = at(hit.t).abs() <= 1e-9 * g.properties().lipschitz.clamp(1.0, 10.0);
             assert!(flat || sides.0 != sides.1, "{what}: {} there, sides {sides:?}", at(hit.t));
-            if fa == 0.0 || fb == 0.0 {
-                assert_eq!(
-                    hit.t,
-                    if (fa == 0.0) == (a.to_array() < b.to_array() || fb != 0.0) {
-                        f64::from(u8::from(fa != 0.0))
-                    } else {
-                        hit.t
-                    },
-                    "{what}"
-                );
-            }
+            // An end of zero is the crossing: the other one is outside.
+            assert!(fa != 0.0 || hit.t == 0.0, "{what}");
+            assert!(fb != 0.0 || hit.t == 1.0, "{what}");
         }
     });
-    assert!(crossed > 5000, "{crossed}");
+    assert!(crossed > 4000, "{crossed}");
 }
 
 #[test]
 fn lattice_edges_of_random_trees_have_the_crossings_of_segments_and_the_sides_of_the_values() {
-    each(22, 150, |k, g, random| {
+    each(22, 90, |k, g, random| {
         let axis = |random: &mut Random, n: usize| {
             let mut x: Vec<f64> = (0..n).map(|_| random.range(-2.5, 2.5)).collect();
             x.sort_by(f64::total_cmp);
