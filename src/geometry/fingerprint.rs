@@ -5,6 +5,8 @@
 use super::Geometry;
 use super::level::Level;
 use super::node::Node;
+use std::collections::HashMap;
+use std::sync::Arc;
 
 impl Geometry {
     /// Equal for trees of equal content; 0 for trees with user functions. O(bytes).
@@ -12,11 +14,25 @@ impl Geometry {
         if self.has_functions() {
             return 0;
         }
-        let mut mixer = Mixer(0);
-        self.mix(&mut mixer);
-        mixer.0.max(1)
+        self.digest(&mut HashMap::new()).max(1)
     }
 
+    /// Of the node and all below it; shared parts are walked once.
+    fn digest(&self, seen: &mut HashMap<usize, u64>) -> u64 {
+        let key = Arc::as_ptr(&self.inner) as usize;
+        if let Some(known) = seen.get(&key) {
+            return *known;
+        }
+        let mut mixer = Mixer(0);
+        self.mix(&mut mixer);
+        self.node().children().iter().for_each(|g| {
+            mixer.add(g.digest(seen));
+        });
+        seen.insert(key, mixer.0);
+        mixer.0
+    }
+
+    /// The node's own numbers.
     fn mix(&self, mixer: &mut Mixer) {
         match self.node() {
             Node::Sphere(_) | Node::Shape(_) => {
@@ -46,7 +62,6 @@ impl Geometry {
                 smooth.blend().words(&mut mixer.adder());
             }
         }
-        self.node().children().iter().for_each(|g| g.mix(mixer));
     }
 }
 
