@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // The solver's side of a level set: node coordinates, computed once, and a value at each node.
-#ifndef QUICKSTART_GRID_HPP
-#define QUICKSTART_GRID_HPP
+#ifndef EXAMPLES_GRID_HPP
+#define EXAMPLES_GRID_HPP
 
 #include <embound.hpp>
 
