@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! `cargo bench --bench tree`: composites of many parts against the plain minimum over all of them in the
 //! same run, bits compared: 64,000 balls of radius 0.02, a million unit balls, 10,000 placed parts made anew,
-//! a mesh with a thousand drilled holes, a mesh placed 528 times. With a path, that mesh is used.
+//! a mesh with a thousand drilled holes, a mesh placed 528 times.
+//!
+//!     cargo bench --bench tree -- [small] [large] [moving] [mesh.stl ...]
 
 use embound::geometry::{Geometry, SdfOptions};
 use embound::io::{self, Format};
@@ -194,10 +196,16 @@ fn mesh_scenes(path: &str) {
 }
 
 fn main() {
-    balls("64,000 balls of radius 0.02", 40, 0.04 + 0.4 / 41.0, 0.02);
-    balls("a million unit balls", 100, 3.0, 1.0);
-    moving();
-    if let Some(path) = std::env::args().skip(1).find(|a| !a.starts_with("--")) {
-        mesh_scenes(&path);
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
+    let wanted = |name: &str| arguments.is_empty() || arguments.iter().any(|a| a == name);
+    if wanted("small") {
+        balls("64,000 balls of radius 0.02", 40, 0.04 + 0.4 / 41.0, 0.02);
     }
+    if wanted("large") {
+        balls("a million unit balls", 100, 3.0, 1.0);
+    }
+    if wanted("moving") {
+        moving();
+    }
+    arguments.iter().filter(|a| a.ends_with(".stl")).for_each(|path| mesh_scenes(path));
 }

@@ -690,7 +690,7 @@ emb_geom *emb_geom_clone(const emb_geom *g);
 void emb_geom_free(emb_geom *g);
 
 // A number that is equal for equal content, on every rank, instruction set and run; 0 for NULL and for geometries
-// with user functions in them. Cost: linear in the memory of the geometry at most. Any thread.
+// with user functions or blends in them. Cost: linear in the memory of the geometry at most. Any thread.
 uint64_t emb_geom_fingerprint(const emb_geom *g);
 
 // A box around the body: infinite where it is unbounded; lo = +INFINITY, hi = -INFINITY where there is none. O(1).

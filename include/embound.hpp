@@ -15,11 +15,14 @@
 #ifndef EMBOUND_HPP
 #define EMBOUND_HPP
 
+#include "embound/combine.hpp"
 #include "embound/error.hpp"
+#include "embound/function.hpp"
 #include "embound/geometry.hpp"
 #include "embound/mesh.hpp"
 #include "embound/run.hpp"
 #include "embound/shapes.hpp"
+#include "embound/transforms.hpp"
 #include "embound/views.hpp"
 
 #ifdef _OPENMP

@@ -94,11 +94,26 @@ fn misuse_is_answered_with_a_status_and_a_message() {
 }
 
 #[test]
-fn values_have_the_same_bits_however_they_are_asked_for() {
-    let outputs = harness("values");
+fn misuse_of_constructors_is_answered_with_a_status_and_a_message() {
+    harness("misuse_shapes");
+}
+
+/// [`harness`] of a program that prints a hash of its results, which must be the same each time.
+fn same_hashes(name: &str) {
+    let outputs = harness(name);
     let hash = |text: &str| text.lines().find(|line| line.starts_with("hash ")).map(str::to_owned);
     let hashes: Vec<_> = outputs.iter().map(|text| hash(text).expect("a hash")).collect();
     assert!(hashes.iter().all(|h| *h == hashes[0]), "shared, static, scalar, avx2, ...: {hashes:?}");
+}
+
+#[test]
+fn values_have_the_same_bits_however_they_are_asked_for() {
+    same_hashes("values");
+}
+
+#[test]
+fn trees_of_every_constructor_have_the_same_bits_however_they_are_asked_for() {
+    same_hashes("trees");
 }
 
 #[test]

@@ -241,6 +241,14 @@ private:
     emb_geom *handle_ = nullptr;
 };
 
+namespace detail {
+
+/// A geometry made by `create(emb_geom **)`.
+template <class Create> Geometry made(Create &&create) {
+    return Geometry(created<emb_geom>(std::forward<Create>(create)));
+}
+
+} // namespace detail
 } // namespace embound
 
 #endif

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 /// @file
-/// What geometries are made of: shapes, meshes, functions of the caller's, and what is made from
-/// other geometries. A composite keeps its parts alive. Each throws Error naming the argument that
-/// is not finite, not positive or empty where it must be.
+/// What geometries begin with: meshes, bodies in closed form, samples, expressions. Lengths are in the
+/// caller's unit, directions need not have length 1. Each throws Error naming the argument that is not
+/// finite, not positive or empty where it must be.
 #ifndef EMBOUND_SHAPES_HPP
 #define EMBOUND_SHAPES_HPP
 
 #include "geometry.hpp"
 #include "mesh.hpp"
 
+#include <array>
 #include <limits>
-#include <memory>
-#include <utility>
-#include <vector>
+#include <string>
 
 namespace embound {
 
@@ -53,60 +52,31 @@ struct SdfOptions {
     }
 };
 
-/// What the caller knows of a function. The caller vouches for all of it.
-struct FunctionOptions {
+/// What the caller knows of an expression.
+struct ExpressionOptions {
     Point lo{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-             -std::numeric_limits<double>::infinity()}; ///< Of a box around the body.
+             -std::numeric_limits<double>::infinity()}; ///< Of a box that the body is cut off at.
     Point hi{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-             std::numeric_limits<double>::infinity()}; ///< Of a box around the body.
-    double lipschitz = 0.0;                            ///< |f(p) - f(q)| <= lipschitz |p - q|; 0: unknown.
-    double gradient_step = 0.0;                        ///< Of centred differences; 0: chosen from the bounds.
-    Kind kind = Kind::SignOnly;                        ///< What its magnitude means.
-    bool thread_safe = false;                          ///< Whether several threads may call it at once.
+             std::numeric_limits<double>::infinity()}; ///< Of that box.
+    double lipschitz = 0.0; ///< |f(p) - f(q)| <= lipschitz |p - q| in the box; 0: looked for where it is finite.
 
     /// As the C functions take them.
-    emb_callback_options c() const {
-        emb_callback_options options;
-        check(emb_callback_options_init(&options, sizeof options));
+    emb_expression_options c() const {
+        emb_expression_options options;
+        check(emb_expression_options_init(&options, sizeof options));
         std::copy(lo.begin(), lo.end(), options.lo);
         std::copy(hi.begin(), hi.end(), options.hi);
         options.lipschitz = lipschitz;
-        options.gradient_step = gradient_step;
-        options.kind = static_cast<std::int32_t>(kind);
-        options.thread_safe = thread_safe ? 1 : 0;
         return options;
     }
 };
 
 namespace detail {
 
-/// A geometry made by `create(emb_geom **)`.
-template <class Create> Geometry made(Create &&create) {
-    return Geometry(created<emb_geom>(std::forward<Create>(create)));
+/// The coordinates of corners, one after the other.
+inline const double *flat(Span<const std::array<double, 2>> corners) noexcept {
+    return corners.empty() ? nullptr : corners[0].data();
 }
-
-/// The handles of several geometries.
-inline std::vector<const emb_geom *> handles(Span<const Geometry> parts) {
-    std::vector<const emb_geom *> all = vector_of<const emb_geom *>(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        all[i] = parts[i].get();
-    }
-    return all;
-}
-
-/// The function that the library calls; an exception is kept for the C++ call it serves, and NaN
-/// says that the function failed.
-template <class Function> double function_value(void *user, double x, double y, double z) {
-    try {
-        return static_cast<double>((*static_cast<Function *>(user))(x, y, z));
-    } catch (...) {
-        Frame::keep_exception();
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-}
-
-/// The library's last use of a function.
-template <class Function> void function_drop(void *user) { delete static_cast<Function *>(user); }
 
 } // namespace detail
 
@@ -129,65 +99,120 @@ inline Geometry box(const Point &lo, const Point &hi) {
     return detail::made([&](emb_geom **out) { return emb_geom_box(lo.data(), hi.data(), out); });
 }
 
-/// All of the parts together; of none: nothing.
-inline Geometry unite(Span<const Geometry> parts) {
-    const auto all = detail::handles(parts);
-    return detail::made([&](emb_geom **out) { return emb_geom_union(all.size(), all.data(), out); });
-}
-/// All of the parts together.
-template <class... More> Geometry unite(const Geometry &first, const Geometry &second, const More &...more) {
-    const Geometry parts[] = {first, second, more...};
-    return unite(Span<const Geometry>(parts));
+/// The half space behind a plane; `normal` points out of it.
+inline Geometry plane(const Point &point, const Point &normal) {
+    return detail::made([&](emb_geom **out) { return emb_geom_plane(point.data(), normal.data(), out); });
 }
 
-/// What is in every part; of none: all of space.
-inline Geometry intersection(Span<const Geometry> parts) {
-    const auto all = detail::handles(parts);
-    return detail::made([&](emb_geom **out) { return emb_geom_intersection(all.size(), all.data(), out); });
-}
-/// What is in every part.
-template <class... More> Geometry intersection(const Geometry &first, const Geometry &second, const More &...more) {
-    const Geometry parts[] = {first, second, more...};
-    return intersection(Span<const Geometry>(parts));
+/// A torus around `axis`; 0 < minor < major.
+inline Geometry torus(const Point &center, const Point &axis, double major, double minor) {
+    return detail::made([&](emb_geom **out) { return emb_geom_torus(center.data(), axis.data(), major, minor, out); });
 }
 
-/// `from` without `remove`.
-inline Geometry difference(const Geometry &from, const Geometry &remove) {
-    return detail::made([&](emb_geom **out) { return emb_geom_difference(from.get(), remove.get(), out); });
+/// A cylinder with flat ends at `a` and `b`.
+inline Geometry cylinder(const Point &a, const Point &b, double radius) {
+    return detail::made([&](emb_geom **out) { return emb_geom_cylinder(a.data(), b.data(), radius, out); });
 }
 
-/// Inside out.
-inline Geometry complement(const Geometry &g) {
-    return detail::made([&](emb_geom **out) { return emb_geom_complement(g.get(), out); });
+/// A cylinder without ends.
+inline Geometry infinite_cylinder(const Point &point, const Point &axis, double radius) {
+    return detail::made([&](emb_geom **out) { return emb_geom_infinite_cylinder(point.data(), axis.data(), radius, out); });
 }
 
-/// Moved by `shift`; O(1), shares g.
-inline Geometry translate(const Geometry &g, const Point &shift) {
-    return detail::made([&](emb_geom **out) { return emb_geom_translate(g.get(), shift.data(), out); });
+/// The points within `radius` of the segment from `a` to `b`.
+inline Geometry capsule(const Point &a, const Point &b, double radius) {
+    return detail::made([&](emb_geom **out) { return emb_geom_capsule(a.data(), b.data(), radius, out); });
 }
 
-/// Rotated about the origin, then moved by `shift`; O(1), shares g.
-inline Geometry place(const Geometry &g, const Matrix &rotation, const Point &shift = {0.0, 0.0, 0.0}) {
-    return detail::made([&](emb_geom **out) { return emb_geom_place(g.get(), rotation.data(), shift.data(), out); });
+/// A capsule by its outermost points.
+inline Geometry capsule_tips(const Point &tip_a, const Point &tip_b, double radius) {
+    return detail::made([&](emb_geom **out) { return emb_geom_capsule_tips(tip_a.data(), tip_b.data(), radius, out); });
+}
+
+/// A cone without end, open along `axis`; `angle` is the full one, in degrees, below 180.
+inline Geometry infinite_cone(const Point &tip, const Point &axis, double angle) {
+    return detail::made([&](emb_geom **out) { return emb_geom_infinite_cone(tip.data(), axis.data(), angle, out); });
+}
+
+/// A cone with a flat base `height` from its tip; `angle` is the full one, in degrees, below 180.
+inline Geometry cone(const Point &tip, const Point &axis, double height, double angle) {
+    return detail::made([&](emb_geom **out) { return emb_geom_cone(tip.data(), axis.data(), height, angle, out); });
+}
+
+/// A box of outer half sizes `half`, its edges rounded by `radius` (0: sharp), turned around its centre.
+inline Geometry rounded_box(const Point &center, const Point &half, double radius, const Matrix &rotation = identity) {
+    return detail::made(
+        [&](emb_geom **out) { return emb_geom_rounded_box(center.data(), half.data(), radius, rotation.data(), out); });
+}
+
+/// A cylinder of outer `radius` and `height`, its edges rounded by `rounding`.
+inline Geometry rounded_cylinder(const Point &center, const Point &axis, double radius, double height, double rounding) {
+    return detail::made([&](emb_geom **out) {
+        return emb_geom_rounded_cylinder(center.data(), axis.data(), radius, height, rounding, out);
+    });
+}
+
+/// An ellipsoid, turned around its centre.
+inline Geometry ellipsoid(const Point &center, const Point &semi_axes, const Matrix &rotation = identity) {
+    return detail::made(
+        [&](emb_geom **out) { return emb_geom_ellipsoid(center.data(), semi_axes.data(), rotation.data(), out); });
+}
+
+/// A regular prism with flat ends at `a` and `b`; `toward` points from its axis to the first corner.
+inline Geometry prism(const Point &a, const Point &b, const Point &toward, std::int32_t sides, double radius) {
+    return detail::made(
+        [&](emb_geom **out) { return emb_geom_prism(a.data(), b.data(), toward.data(), sides, radius, out); });
+}
+
+/// A closed polygon of corners (u, v) drawn from z_lo to z_hi; (u, v, z) comes to rotation * (u, v, z) + origin.
+inline Geometry extruded_polygon(const Point &origin, Span<const std::array<double, 2>> points, double z_lo, double z_hi,
+                                 const Matrix &rotation = identity) {
+    return detail::made([&](emb_geom **out) {
+        return emb_geom_extruded_polygon(origin.data(), rotation.data(), points.size(), detail::flat(points), z_lo, z_hi,
+                                         out);
+    });
+}
+
+/// A closed polygon of corners (distance from the axis, place along it from `origin`), turned around the axis.
+inline Geometry revolved_polygon(const Point &origin, const Point &axis, Span<const std::array<double, 2>> points) {
+    return detail::made([&](emb_geom **out) {
+        return emb_geom_revolved_polygon(origin.data(), axis.data(), points.size(), detail::flat(points), out);
+    });
+}
+
+/// Perlin noise: amplitude times the sum over k < octaves of persistence^k noise(frequency 2^k p).
+inline Geometry perlin(double amplitude, const Point &frequency, double persistence, std::int32_t octaves,
+                       std::uint64_t seed) {
+    return detail::made(
+        [&](emb_geom **out) { return emb_geom_perlin(amplitude, frequency.data(), persistence, octaves, seed, out); });
+}
+
+/// Terrain: solid below the heights over a lattice of two axes; bilinear, the edge's heights go on beyond.
+inline Geometry height_field(const Lattice &lattice, const ConstArray &heights) {
+    const emb_array array = heights.c("heights", lattice.points());
+    const emb_lattice l = lattice.c();
+    return detail::made([&](emb_geom **out) { return emb_geom_height_field(&l, &array, out); });
+}
+
+/// A function sampled on a lattice, negative inside; trilinear, constant beyond.
+inline Geometry grid(const Lattice &lattice, const ConstArray &values) {
+    const emb_array array = values.c("values", lattice.points());
+    const emb_lattice l = lattice.c();
+    return detail::made([&](emb_geom **out) { return emb_geom_grid(&l, &array, out); });
+}
+
+/// The body where an expression of x, y and z is negative, such as "sqrt(x^2 + y^2) - 1".
+inline Geometry expression(const std::string &text, const ExpressionOptions &options = {}) {
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+        throw Error(EMB_ERROR_INVALID_ARGUMENT, "expression: byte " + std::to_string(zero) + " is zero");
+    }
+    const emb_expression_options c = options.c();
+    return detail::made([&](emb_geom **out) { return emb_geom_expression(text.c_str(), &c, out); });
 }
 
 /// Labels a body, for the `part` of closest points and crossings; the innermost label wins.
 inline Geometry part(const Geometry &g, std::int32_t label) {
     return detail::made([&](emb_geom **out) { return emb_geom_part(g.get(), label, out); });
-}
-
-/// Any callable `double(double x, double y, double z)`: negative inside, NaN where it fails. The
-/// geometry keeps a copy, which dies with the last geometry that uses it, on whatever thread that is.
-/// One not marked thread-safe is only called on the threads that ask. What it throws reaches the
-/// C++ caller as it was thrown; a C caller gets NaN, or EMB_ERROR_CALLBACK from a batch.
-template <class Function> Geometry function(Function f, const FunctionOptions &options = {}) {
-    const emb_callback_options c = options.c();
-    auto kept = std::make_unique<Function>(std::move(f));
-    emb_geom *geometry = detail::created<emb_geom>([&](emb_geom **out) {
-        return emb_geom_callback(detail::function_value<Function>, kept.get(), detail::function_drop<Function>, &c, out);
-    });
-    static_cast<void>(kept.release());
-    return Geometry(geometry);
 }
 
 } // namespace embound

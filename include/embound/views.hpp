@@ -210,6 +210,26 @@ private:
     std::array<std::size_t, 3> n_;
 };
 
+namespace detail {
+
+/// What the C functions call a type of elements.
+template <class T> constexpr std::int32_t type_of() noexcept {
+    static_assert(std::is_same_v<T, double> || std::is_same_v<T, float> || std::is_same_v<T, std::int32_t> ||
+                      std::is_same_v<T, std::int8_t>,
+                  "arrays over a lattice hold double, float, std::int32_t or std::int8_t");
+    if constexpr (std::is_same_v<T, double>) {
+        return EMB_F64;
+    } else if constexpr (std::is_same_v<T, float>) {
+        return EMB_F32;
+    } else if constexpr (std::is_same_v<T, std::int32_t>) {
+        return EMB_I32;
+    } else {
+        return EMB_I8;
+    }
+}
+
+} // namespace detail
+
 /// The caller's array over a lattice, of double, float, std::int32_t or std::int8_t (integers for
 /// sign fills, counts, tags and parts only). Empty: an output not wanted.
 class Array {
@@ -220,12 +240,12 @@ public:
     template <class Container,
               class T = std::remove_pointer_t<decltype(std::declval<Container &>().data())>,
               class = std::enable_if_t<std::is_convertible_v<Container &&, Span<T>>>>
-    Array(Container &&values) noexcept : data_(values.data()), size_(values.size()), type_(type_of<T>()) {}
+    Array(Container &&values) noexcept : data_(values.data()), size_(values.size()), type_(detail::type_of<T>()) {}
     /// Element (i, j, k) at data[i * stride[0] + j * stride[1] + k * stride[2]], in elements; the
     /// memory there is the caller's word.
     template <class T>
     Array(T *data, const std::array<std::ptrdiff_t, 3> &stride) noexcept
-        : data_(data), size_(unknown), type_(type_of<T>()), stride_(stride) {}
+        : data_(data), size_(unknown), type_(detail::type_of<T>()), stride_(stride) {}
 
     /// As the C functions take it; Error where a tight array has not `count` elements.
     emb_array c(const char *name, std::size_t count) const {
@@ -243,26 +263,54 @@ public:
     }
 
 private:
-    template <class T> static constexpr std::int32_t type_of() noexcept {
-        static_assert(std::is_same_v<T, double> || std::is_same_v<T, float> || std::is_same_v<T, std::int32_t> ||
-                          std::is_same_v<T, std::int8_t>,
-                      "arrays over a lattice hold double, float, std::int32_t or std::int8_t");
-        if constexpr (std::is_same_v<T, double>) {
-            return EMB_F64;
-        } else if constexpr (std::is_same_v<T, float>) {
-            return EMB_F32;
-        } else if constexpr (std::is_same_v<T, std::int32_t>) {
-            return EMB_I32;
-        } else {
-            return EMB_I8;
-        }
-    }
-
     static constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
 
     void *data_ = nullptr;
     std::size_t size_ = 0;
     std::int32_t type_ = EMB_F64;
+    std::array<std::ptrdiff_t, 3> stride_{0, 0, 0};
+};
+
+/// The caller's samples over a lattice, of double or float, which are only read.
+class ConstArray {
+public:
+    /// Tight, x fastest: element (i, j, k) at i + n[0] * (j + n[1] * k). Its size is checked.
+    template <class Container,
+              class T = std::remove_cv_t<std::remove_pointer_t<decltype(std::declval<const Container &>().data())>>,
+              class = std::enable_if_t<std::is_convertible_v<const Container &, Span<const T>>>>
+    ConstArray(const Container &values) noexcept : data_(values.data()), size_(values.size()), type_(real<T>()) {}
+    /// Element (i, j, k) at data[i * stride[0] + j * stride[1] + k * stride[2]], in elements; the
+    /// memory there is the caller's word.
+    template <class T>
+    ConstArray(const T *data, const std::array<std::ptrdiff_t, 3> &stride) noexcept
+        : data_(data), size_(unknown), type_(real<T>()), stride_(stride) {}
+
+    /// As the C functions take it; Error where a tight array has not `count` elements.
+    emb_array c(const char *name, std::size_t count) const {
+        if (size_ != unknown) {
+            detail::require_size(name, size_, count);
+        }
+        emb_array array{};
+        array.struct_size = sizeof array;
+        array.data = const_cast<void *>(data_);
+        array.type = type_;
+        for (std::size_t d = 0; d < 3; ++d) {
+            array.stride[d] = stride_[d];
+        }
+        return array;
+    }
+
+private:
+    template <class T> static constexpr std::int32_t real() noexcept {
+        static_assert(std::is_floating_point_v<T>, "samples are double or float");
+        return detail::type_of<T>();
+    }
+
+    static constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
+
+    const void *data_;
+    std::size_t size_;
+    std::int32_t type_;
     std::array<std::ptrdiff_t, 3> stride_{0, 0, 0};
 };
 

@@ -9,6 +9,9 @@ use crate::simd::lanes::WIDTH;
 
 const BINS: usize = 16;
 
+/// Runs shorter than this are small.
+const SMALL: usize = 64;
+
 /// Deeper than this, splits are by halves: the depth, and with it the stack of a traversal, stays
 /// bounded whatever the input.
 const SAH_DEPTH: usize = 16;
@@ -21,11 +24,11 @@ struct Run {
     bounds: Aabb,
 }
 
-/// Where a run is split: below bin `bin` of those of `width` from `lo` on.
+/// Where a run is split: below bin `bin` of those from `lo` on.
 struct Plane {
     axis: usize,
     lo: f64,
-    width: f64,
+    bins_a_unit: f64,
     bin: usize,
 }
 
@@ -93,6 +96,9 @@ impl Builder<'_> {
 
     /// Up to eight runs, in order: the largest one is split while there is room and need.
     fn split_in_eight(&mut self, run: Run, depth: usize) -> Vec<Run> {
+        if self.leaf_size == 1 && run.count() <= WIDTH {
+            return (run.from..run.to).map(|k| self.run(k, k + 1)).collect();
+        }
         let mut parts = vec![run];
         while parts.len() < WIDTH {
             let largest = (0..parts.len()).max_by_key(|&k| (parts[k].count(), WIDTH - k)).unwrap_or(0);
@@ -130,18 +136,26 @@ impl Builder<'_> {
         }
         let centroids = self.centroid_bounds(run);
         let extent = centroids.hi - centroids.lo;
-        let mut best: Option<(f64, Plane)> = None;
-        for axis in 0..3 {
-            let (lo, width) = (centroids.lo[axis], extent[axis] / BINS as f64);
-            if width.is_nan() || width <= 0.0 {
-                continue;
+        // Where every primitive has a box of its own at the end, small runs are worth one look.
+        let widest = if extent.x >= extent.y.max(extent.z) { 0 } else { 1 + usize::from(extent.z > extent.y) };
+        let is_small = self.leaf_size == 1 && run.count() < SMALL;
+        let axes = if is_small { widest..widest + 1 } else { 0..3 };
+        let bins_a_unit = extent.to_array().map(|e| if e > 0.0 { BINS as f64 / e } else { 0.0 });
+        let mut all_bins = [[(0usize, Aabb::EMPTY); BINS]; 3];
+        for &k in &self.order[run.from..run.to] {
+            let b = self.boxes[k as usize];
+            let center = b.center();
+            for axis in axes.clone() {
+                let bin = &mut all_bins[axis][bin_of(center[axis], centroids.lo[axis], bins_a_unit[axis])];
+                bin.0 += 1;
+                bin.1 = bin.1.hull(b);
             }
-            let mut bins = [(0usize, Aabb::EMPTY); BINS];
-            for &k in &self.order[run.from..run.to] {
-                let b = self.boxes[k as usize];
-                let bin = bin_of(b.center()[axis], lo, width);
-                bins[bin].0 += 1;
-                bins[bin].1 = bins[bin].1.hull(b);
+        }
+        let mut best: Option<(f64, Plane)> = None;
+        for axis in axes {
+            let (lo, bins_a_unit, bins) = (centroids.lo[axis], bins_a_unit[axis], &all_bins[axis]);
+            if !(bins_a_unit > 0.0 && bins_a_unit.is_finite()) {
+                continue;
             }
             let mut above = [(0usize, Aabb::EMPTY); BINS];
             for i in (0..BINS - 1).rev() {
@@ -155,7 +169,7 @@ impl Builder<'_> {
                 }
                 let cost = self.leaves(below.0) * area(below.1) + self.leaves(above[i].0) * area(above[i].1);
                 if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                    best = Some((cost, Plane { axis, lo, width, bin: i + 1 }));
+                    best = Some((cost, Plane { axis, lo, bins_a_unit, bin: i + 1 }));
                 }
             }
         }
@@ -169,8 +183,8 @@ impl Builder<'_> {
 
     /// Moves the primitives of the lower bins to the front, in their order; where the upper ones begin.
     fn partition(&mut self, run: Run, plane: Plane) -> usize {
-        let Plane { axis, lo, width, bin } = plane;
-        let is_lower = |k: u32| bin_of(self.boxes[k as usize].center()[axis], lo, width) < bin;
+        let Plane { axis, lo, bins_a_unit, bin } = plane;
+        let is_lower = |k: u32| bin_of(self.boxes[k as usize].center()[axis], lo, bins_a_unit) < bin;
         let mut middle = run.from;
         self.upper.clear();
         for at in run.from..run.to {
@@ -200,8 +214,8 @@ impl Builder<'_> {
     }
 }
 
-fn bin_of(center: f64, lo: f64, width: f64) -> usize {
-    (((center - lo) / width) as usize).min(BINS - 1)
+fn bin_of(center: f64, lo: f64, bins_a_unit: f64) -> usize {
+    (((center - lo) * bins_a_unit) as usize).min(BINS - 1)
 }
 
 /// Half the surface area.

@@ -56,7 +56,7 @@ impl Geometry {
 
     /// From the value in the middle: by the Lipschitz constant, and because a distance's sign is the same
     /// within it.
-    fn range_from_middle(&self, b: Aabb) -> Interval {
+    pub(super) fn range_from_middle(&self, b: Aabb) -> Interval {
         let s = self.summary();
         if s.kind == Kind::SignOnly && !s.lipschitz.is_finite() {
             return Interval::ALL;

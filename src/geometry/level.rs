@@ -80,7 +80,8 @@ impl Level {
             },
             Level::Divided(c) => Summary {
                 kind: if s.lipschitz <= c { Kind::LowerBound } else { Kind::SignOnly },
-                lipschitz: (s.lipschitz / c).next_up(),
+                // Exactly 1 where it is divided by itself: what is made of it stays a lower bound.
+                lipschitz: if s.lipschitz <= c { 1.0 } else { (s.lipschitz / c).next_up() },
                 spread: s.spread * c,
                 spread_rest: s.spread_rest * c,
                 spread_axis: s.spread_axis * c,

@@ -16,6 +16,7 @@ mod properties;
 mod repeat;
 mod segment;
 mod shape;
+mod simplify;
 mod smooth;
 mod stencil;
 mod summary;
@@ -64,6 +65,11 @@ impl Geometry {
     /// What the magnitude of a value means. O(1), unlike [`Geometry::properties`].
     pub fn kind(&self) -> Kind {
         self.summary().kind
+    }
+
+    /// |f(p) - f(q)| <= lipschitz |p - q|; infinite where unknown. O(1).
+    pub fn lipschitz(&self) -> f64 {
+        self.summary().lipschitz
     }
 
     /// Whether several threads may ask at once: false where a user's function forbids it.

@@ -7,6 +7,7 @@
 //! answered with NaN. Where a user's function fails (NaN at a finite point) a batch is
 //! [`Status::Callback`]; a function that is not thread-safe keeps the whole call on the calling thread.
 
+mod bounding;
 mod classify;
 mod closest;
 mod fill;
@@ -15,6 +16,7 @@ mod intercept;
 mod values;
 
 pub use crate::geometry::Closest;
+pub use bounding::{Bounding, bounding_box, bounding_sphere};
 pub use classify::{classify_box, classify_boxes};
 pub use closest::closest;
 pub use fill::{FillMode, fill};

@@ -329,7 +329,7 @@ static void a_failure_on_a_worker_reaches_the_caller(emb_pool *pool) {
   options.thread_safe = 1, options.kind = EMB_LOWER_BOUND;
   CHECK_OK(emb_geom_callback(failing_function, NULL, NULL, &options, &g));
   fill(g, &run, out, EMB_ERROR_CALLBACK);
-  CHECK(strstr(emb_last_error(), "callback") != NULL);
+  CHECK(strstr(emb_last_error(), "function") != NULL);
   emb_geom_free(g);
 }
 

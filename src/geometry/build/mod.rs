@@ -25,7 +25,7 @@ use std::sync::Arc;
 const MAX_DEPTH: usize = 1000;
 
 impl Geometry {
-    fn new(node: Node) -> Result<Geometry> {
+    pub(in crate::geometry) fn new(node: Node) -> Result<Geometry> {
         let summary = Summary::of(&node);
         if summary.depth > MAX_DEPTH {
             return Err(Error::unsupported(format!("nesting: {} levels are more than {MAX_DEPTH}", summary.depth)));
