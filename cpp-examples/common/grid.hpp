@@ -23,6 +23,10 @@ struct Grid {
 // `n` nodes a side over `factor` times the box, about its centre.
 Grid make_grid(const embound::Box &box, double factor, std::size_t n);
 
+// The values of a body at the nodes. A fill refuses a body of which only the sign is known, since others
+// would take the magnitude for a distance; between neighbouring nodes it still says where the surface is.
+void sample(Grid &grid, const embound::Geometry &g, const embound::Run &run);
+
 // Closed boxes of nodes that cover the grid, `blocks` a side; neighbours share a layer of nodes.
 struct Blocks {
     std::vector<embound::Point> lo, hi;

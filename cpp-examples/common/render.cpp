@@ -50,9 +50,9 @@ struct Surface {
     std::vector<double> open, lit; // to the surroundings, to the light; 0 to 1
 };
 
-Surface first_surface(const embound::Geometry &g, const std::vector<Point> &starts, const Point &direction, double reach,
-                      double least_step, const embound::Run &run) {
-    const std::vector<Entry> entries = march(g, starts, direction, reach, least_step, run);
+Surface first_surface(const embound::Geometry &g, const Marcher &marcher, const std::vector<Point> &starts, const Point &direction,
+                      double reach, const embound::Run &run) {
+    const std::vector<Entry> entries = marcher.march(starts, direction, reach);
     std::vector<Point> a, b;
     for (const Entry &entry : entries) {
         a.push_back(along(starts[entry.ray], entry.from, direction));
@@ -91,17 +91,17 @@ void find_open(Surface &surface, const embound::Geometry &g, double height, cons
     }
 }
 
-void find_lit(Surface &surface, const embound::Geometry &g, const Point &light, double reach, double least_step,
-              const embound::Run &run) {
+// Light that starts a little above the surface and meets the body again does not reach it.
+void find_lit(Surface &surface, const Marcher &marcher, const Point &light, double reach, double above) {
     std::vector<Point> starts;
     std::vector<std::size_t> of;
     for (std::size_t i = 0; i < surface.point.size(); ++i) {
         if (dot(surface.normal[i], light) > 0.0) {
-            starts.push_back(along(surface.point[i], 2.0 * least_step, surface.normal[i]));
+            starts.push_back(along(surface.point[i], above, surface.normal[i]));
             of.push_back(i);
         }
     }
-    for (const Entry &entry : march(g, starts, light, reach, least_step, run)) {
+    for (const Entry &entry : marcher.march(starts, light, reach)) {
         surface.lit[of[entry.ray]] = 0.0;
     }
 }
@@ -126,19 +126,21 @@ Image render(const embound::Geometry &g, const View &view, const Look &look, std
              const embound::Run &run) {
     const Camera camera(view);
     Image image(rays_per_side * width, rays_per_side * height, look.background);
-    const double pitch = 2.0 * view.half_width / static_cast<double>(image.width);
+    const double pitch = 2.0 * view.half_width / static_cast<double>(image.width); // from ray to ray
+    const double least_step = g.properties().kind == embound::Kind::SignOnly ? 2.0 * pitch : pitch;
     const Point ahead = along({}, -1.0, camera.toward), light = camera.light();
 
+    const Marcher marcher(g, least_step, run);
     Surface surface =
-        first_surface(g, ray_starts(view, camera, image.width, image.height), ahead, 2.0 * view.half_depth, 0.5 * pitch, run);
+        first_surface(g, marcher, ray_starts(view, camera, image.width, image.height), ahead, 2.0 * view.half_depth, run);
     find_open(surface, g, 0.12 * view.half_width, run);
     if (look.shadows) {
-        find_lit(surface, g, light, 2.0 * view.half_depth, 0.5 * pitch, run);
+        find_lit(surface, marcher, light, 2.0 * view.half_depth, 2.0 * least_step);
     }
     for (std::size_t i = 0; i < surface.ray.size(); ++i) {
         const double toward_light = std::max(0.0, dot(surface.normal[i], light)) * surface.lit[i];
         const double sky = 0.5 + 0.5 * dot(surface.normal[i], camera.up), eye = std::max(0.0, dot(surface.normal[i], camera.toward));
-        const double bright = (0.30 + 0.14 * sky + 0.10 * eye) * (0.45 + 0.55 * surface.open[i]) + 0.62 * toward_light;
+        const double bright = (0.40 + 0.16 * sky + 0.12 * eye) * (0.45 + 0.55 * surface.open[i]) + 0.52 * toward_light;
         const auto which = static_cast<std::size_t>(surface.part[i] + 1);
         const Colour &own = look.colours[std::min(which, look.colours.size() - 1)];
         image.pixels[surface.ray[i]] = bright <= 1.0 ? mix({0.02, 0.02, 0.05}, own, bright) : mix(own, {1.0, 1.0, 1.0}, bright - 1.0);

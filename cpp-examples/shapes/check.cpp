@@ -70,16 +70,7 @@ Measured check(const Tile &tile, const embound::Run &run) {
     }
 
     Grid grid = make_grid(cube, 1.0, nodes_per_side);
-    if (properties.kind != embound::Kind::SignOnly) {
-        grid.values = tile.body.fill(grid.lattice(), embound::FillMode::Exact, run);
-    } else { // fills refuse a magnitude that means nothing; between neighbours in a grid it still says where zero is
-        std::vector<embound::Point> nodes;
-        for (std::size_t i = 0; i < grid.lattice().points(); ++i) {
-            const std::size_t n = nodes_per_side;
-            nodes.push_back({grid.nodes[0][i % n], grid.nodes[1][i / n % n], grid.nodes[2][i / n / n]});
-        }
-        grid.values = tile.body.values(nodes, run);
-    }
+    sample(grid, tile.body, run);
     const Measured measured{enclosed_volume(grid), 0};
     require(!(std::abs(measured.volume - tile.volume) > volume_tolerance * tile.volume),
             tile.name + ": a volume of " + std::to_string(measured.volume) + " instead of " + std::to_string(tile.volume));

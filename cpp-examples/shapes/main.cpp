@@ -16,7 +16,7 @@
 
 namespace {
 
-constexpr std::size_t columns = 6, tile_width = 176, tile_height = 156, caption_height = 26, margin = 10;
+constexpr std::size_t columns = 6, tile_width = 192, tile_height = 156, caption_height = 26, margin = 10;
 constexpr Colour paper{1.0, 1.0, 1.0}, ink{0.16, 0.17, 0.20};
 constexpr Colour blue{0.26, 0.52, 0.78}, orange{0.93, 0.53, 0.24}, green{0.30, 0.62, 0.47}, pale{0.93, 0.90, 0.82};
 
@@ -26,7 +26,7 @@ embound::Geometry shown(const Tile &tile) {
     embound::Geometry body = tile.body;
     const embound::Box bounds = body.bounds();
     if (!std::isfinite(bounds.lo[0] + bounds.hi[0] + bounds.lo[1] + bounds.hi[1] + bounds.lo[2] + bounds.hi[2])) {
-        body = embound::intersection(body, embound::part(embound::box({-0.78, -0.78, -0.78}, {0.78, 0.78, 0.78}), cut_face));
+        body = embound::intersection(body, embound::part(embound::box({-0.76, -0.76, -0.76}, {0.76, 0.76, 0.76}), cut_face));
     }
     if (tile.opened) {
         body = embound::difference(body, embound::part(embound::box({0.0, -2.0, 0.0}, {2.0, 0.0, 2.0}), cut_face));
@@ -35,7 +35,7 @@ embound::Geometry shown(const Tile &tile) {
 }
 
 Image picture(const Tile &tile, const Colour &colour, const embound::Run &run) {
-    const View view{{0.0, 0.0, 0.0}, {0.75, -1.6, 0.85}, 1.22, 2.5};
+    const View view{{0.0, 0.0, 0.0}, {0.75, -1.6, 0.85}, 1.3, 2.5};
     Image image(tile_width, tile_height + caption_height, paper);
     image.paste(render(shown(tile), view, {{colour, blue, orange, pale}, paper}, tile_width, tile_height, run), 0, 0);
     std::size_t left = (tile_width - std::min(tile_width, text_width(tile.name, 2))) / 2;
