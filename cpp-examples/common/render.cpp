@@ -25,7 +25,7 @@ struct Camera {
         right = unit(cross(vertical, toward));
         up = cross(toward, right);
     }
-    Point light() const { return unit(along(along(along({}, 0.75, toward), -0.55, right), 0.75, up)); }
+    Point light() const { return unit(along(along(along({}, 1.0, toward), -0.5, right), 0.6, up)); }
 };
 
 std::vector<Point> ray_starts(const View &view, const Camera &camera, std::size_t width, std::size_t height) {
@@ -127,7 +127,7 @@ Image render(const embound::Geometry &g, const View &view, const Look &look, std
     const Camera camera(view);
     Image image(rays_per_side * width, rays_per_side * height, look.background);
     const double pitch = 2.0 * view.half_width / static_cast<double>(image.width); // from ray to ray
-    const double least_step = g.properties().kind == embound::Kind::SignOnly ? 2.0 * pitch : pitch;
+    const double least_step = g.properties().kind == embound::Kind::SignOnly ? 3.0 * pitch : pitch;
     const Point ahead = along({}, -1.0, camera.toward), light = camera.light();
 
     const Marcher marcher(g, least_step, run);

@@ -72,10 +72,10 @@ private:
 void draw(const std::string &path, const Geometry &whole, const Geometry &half, const embound::Box &box, const embound::Pool &pool) {
     const double reach = std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
     const embound::Point mid{0.5 * (box.lo[0] + box.hi[0]), 0.5 * (box.lo[1] + box.hi[1]), 0.5 * (box.lo[2] + box.hi[2])};
-    const View view{mid, {-0.45, -1.3, 0.95}, 0.62 * reach, 2.0 * reach};
-    Image both(840, 340, look.background);
-    both.paste(render(whole, view, look, 420, 340, pool), 0, 0);
-    both.paste(render(half, view, look, 420, 340, pool), 0, 420);
+    const View view{mid, {-0.45, -1.3, 0.95}, 0.60 * reach, 2.0 * reach};
+    Image both(800, 310, look.background);
+    both.paste(render(whole, view, look, 400, 310, pool), 0, 0);
+    both.paste(render(half, view, look, 400, 310, pool), 0, 400);
     write_png(path, both);
 }
 

@@ -13,6 +13,7 @@
 
 #include <embound.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -27,7 +28,7 @@ constexpr double solid_fraction = 0.4;
 constexpr std::size_t nodes_per_side = 128;
 constexpr std::size_t compared_points = 1000;
 constexpr std::size_t timed_points = 1000000;
-constexpr double volume_tolerance = 0.01;
+constexpr double fraction_tolerance = 0.03;
 constexpr embound::Box cube{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
 
 // Every ball carries its index as the label that hits report.
@@ -87,29 +88,31 @@ void compare_volumes(const embound::Geometry &bed, const std::vector<Ball> &ball
     const double exact = std::accumulate(balls.begin(), balls.end(), 0.0, [](double sum, const Ball &ball) {
         return sum + 4.0 / 3.0 * pi * ball.radius * ball.radius * ball.radius;
     });
-    const double filled = enclosed_volume(grid), off = (filled - exact) / exact;
+    // Two estimates. Planes through the nodes cut the caps off round bodies: with balls of a few cells the enclosed
+    // volume is short by some percent, as a solver's own cut cells will be. Counting nodes has no such bias.
+    const double enclosed = enclosed_volume(grid);
+    const auto inside = std::count_if(grid.values.begin(), grid.values.end(), [](double value) { return value <= 0.0; });
+    const double counted = static_cast<double>(inside) / static_cast<double>(grid.values.size());
     std::printf("level set     %zu^3 nodes in %s: %.2f million a second\n", nodes_per_side, in_words(time).c_str(),
                 1e-6 * static_cast<double>(grid.values.size()) / time);
-    std::printf("solid         fraction %.6f from the level set, %.6f from the radii: %+.3f%%, the error of the grid\n", filled,
-                exact, 100.0 * off);
-    // A grid that is too coarse for its balls says nothing.
-    if (grid.spacing(0) < 0.5 * balls.back().radius) {
-        require(std::abs(off) <= volume_tolerance, "the volume of the level set is off by more than 1%");
-    }
+    std::printf("solid         fraction %.6f from the radii; %.6f of the nodes are inside (%+.3f%%); cut cells hold %.6f (%+.3f%%)\n",
+                exact, counted, 100.0 * (counted - exact) / exact, enclosed, 100.0 * (enclosed - exact) / exact);
+    require(std::abs(counted - exact) <= fraction_tolerance * exact, "the solid fraction is off by more than 3%");
 }
 
 // The cube seen from a corner, with a block taken out: what is cut shows pale.
 void draw(const embound::Geometry &bed, const std::vector<Ball> &balls, const embound::Pool &pool) {
     const double time = seconds([&] {
-        const embound::Geometry corner = embound::part(embound::box({0.5, -1.0, 0.5}, {2.0, 0.5, 2.0}), 0);
-        Look look{{{0.90, 0.88, 0.80}, {0.90, 0.88, 0.80}}};
+        const embound::Geometry corner = embound::part(embound::box({0.5, -1.0, 0.5}, {2.0, 0.5, 2.0}), static_cast<std::int32_t>(balls.size()));
+        const Colour cut{0.93, 0.90, 0.82};
+        Look look{{cut}};
         for (std::size_t i = 0; i < balls.size(); ++i) { // the largest dark, the smallest light
             const double t = static_cast<double>(i) / static_cast<double>(balls.size());
-            look.colours.push_back(mix({0.16, 0.35, 0.60}, {0.97, 0.70, 0.40}, t));
+            look.colours.push_back(mix({0.24, 0.48, 0.76}, {0.97, 0.66, 0.34}, t));
         }
-        std::vector<embound::Geometry> labelled;
+        look.colours.push_back(cut);
         write_png(in_demo_out("packed_spheres.png"),
-                  render(embound::difference(bed, corner), {{0.5, 0.5, 0.5}, {1.0, -1.3, 0.9}, 0.88, 1.2}, look, 900, 820, pool));
+                  render(embound::difference(bed, corner), {{0.5, 0.5, 0.5}, {1.0, -1.3, 0.9}, 0.86, 1.2}, look, 560, 520, pool));
     });
     std::printf("written       %s, in %s\n", in_demo_out("packed_spheres.png").c_str(), in_words(time).c_str());
 }

@@ -23,7 +23,7 @@ namespace {
 constexpr embound::Box air{{0.0, 0.0, bottom}, {side, side, sky}};
 constexpr double coarsest = 125.0;       // width of a box
 constexpr std::size_t levels = 4;
-constexpr std::size_t cells_per_box = 8;
+constexpr std::size_t cells_per_box = 6;
 constexpr double volume_tolerance = 0.01;
 constexpr std::size_t lines_per_side = 400;
 
