@@ -192,6 +192,15 @@
 // emb_crossings_out: nothing is written, to any of the arrays, on edges that the surface does not cross.
 #define EMB_ELSEWHERE_LEAVE 1
 
+// emb_geom_bounding_box: the body lies within the result.
+#define EMB_BOUNDING_FOUND 0
+
+// emb_geom_bounding_box: the body may reach the border of the start box; the result is infinite.
+#define EMB_BOUNDING_REACHES_START 1
+
+// emb_geom_bounding_box: no part of the body lies in the start box; the result is infinite.
+#define EMB_BOUNDING_NOTHING 2
+
 // An implicit function: negative inside the body, positive outside, zero on the surface and counted as
 // inside. Immutable. A composite keeps its parts alive, so handles may be freed in any order.
 typedef struct emb_geom emb_geom;
@@ -425,8 +434,8 @@ typedef struct emb_callback_options {
 // where it fails. It must give the same value for the same point every time, and it must not throw.
 typedef double (*emb_value_fn)(void *user, double x, double y, double z);
 
-// A user's blend of two values a <= b: what stands for the lesser of them in a union. It must rise with either and
-// leave values further apart than emb_blend.support alone. Its derivatives by a and by b go to *out_by_a and
+// A user's blend of two values a <= b: what stands for the lesser of them in a union. It must rise with either, never
+// be above a, and be a where they are further apart than emb_blend.support. Its derivatives by a and by b go to *out_by_a and
 // *out_by_b; left as they are (NaN), centred differences are taken. NaN says that it failed. It must give the same
 // blend of the same values every time, and must not throw.
 typedef double (*emb_blend_fn)(void *user, double a, double b, double *out_by_a, double *out_by_b);
@@ -943,7 +952,10 @@ emb_status emb_geom_affine(const emb_geom *g,
 // shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
 emb_status emb_geom_offset(const emb_geom *g, double distance, emb_geom **out_geom);
 
-// The shell of points within `half_thickness` of the surface: |value| - half_thickness. Exact as emb_geom_offset is.
+// The shell of points within `half_thickness` of the surface: |value| - half_thickness. Exact on and outside the
+// shell where g is; within it, and so by its kind, only where no edge or curvature of the surface is in the way of
+// either side (balls, planes, tori, cylinders without end): beside a box's edge the inner wall is further than this
+// says. Else a lower bound of the distance where the value is 1-Lipschitz.
 // O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, not > 0).
 emb_status emb_geom_annular(const emb_geom *g, double half_thickness, emb_geom **out_geom);
 
@@ -990,13 +1002,18 @@ emb_status emb_geom_slice(const emb_geom *g,
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
 emb_status emb_blend_init(emb_blend *blend, size_t size);
 
-// The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. The
-// parts live on in it and may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT,
-// EMB_ERROR_MEMORY.
+// The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. Exact where
+// every part is and no two are found to have a point in common (their boxes do not meet, or one keeps clear of the
+// other's); else a lower bound of the distance. Over four parts and more a hierarchy over the parts' own bounds is
+// built, which a value searches for the few parts that may be the least; parts without bounds are always asked. The
+// bits are those of asking every part, and of equal values the first part's labels win. The parts live on in it and
+// may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY.
+// Cost: n log n in the parts, then about log n a value.
 emb_status emb_geom_union(size_t count, const emb_geom *const *parts, emb_geom **out_geom);
 
 // The points in every one of `count` parts: the greatest of their values. Of none: -INFINITY everywhere, all of
-// space. Otherwise as emb_geom_union.
+// space. Otherwise as emb_geom_union of the complements: the hierarchy is over parts that leave out a bounded piece of
+// space, such as complements of bodies.
 emb_status emb_geom_intersection(size_t count, const emb_geom *const *parts, emb_geom **out_geom);
 
 // The points of `from` that are not in `remove`: the greater of from's value and of minus remove's.
@@ -1014,9 +1031,12 @@ emb_status emb_geom_difference_of_many(const emb_geom *from,
                                        const emb_geom *const *remove,
                                        emb_geom **out_geom);
 
-// The union of `count` parts with its inner edges filled: values that are close are blended as `blend` says, in
-// rising order, so that the order of the parts makes no difference to the bit. A lower bound of the distance where
-// the parts' values are 1-Lipschitz and the blend is. Labels are those of the part of least value. Errors:
+// The union of `count` parts with its inner edges filled: values that are close are blended as `blend` says. Three
+// and more are blended in rising order, blend(blend(a, b), c) with a <= b <= c, until the next is further behind the
+// result than the blend's support: every part within the support takes part, the value goes on continuously where
+// two parts change places, and the order in which they are given makes no difference to the bit. A lower bound of the
+// distance where the parts' values are 1-Lipschitz and the blend is. Labels are those of the part of least value,
+// closest points NaN where values are blended. Errors:
 // EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY. Cost: n log n in the
 // parts; a value asks those within the blend's support.
 emb_status emb_geom_smooth_union(size_t count,
@@ -1048,6 +1068,15 @@ emb_status emb_geom_repeat(const emb_geom *g,
                            const double period[3],
                            const int32_t counts[3],
                            emb_geom **out_geom);
+
+// The geometry cut down to what matters within the finite box [lo, hi] (Duff 1992): parts of unions, intersections
+// and blends that lose against another everywhere in the box are left out. Within the box the values have the same
+// bits; outside of it they mean nothing. For a block of a grid that many parts are far from. Cost: one range of
+// values for each part. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
+emb_status emb_geom_simplify(const emb_geom *g,
+                             const double lo[3],
+                             const double hi[3],
+                             emb_geom **out_geom);
 
 // The value at a point, in units of length where the geometry is exact. It cannot fail: NaN for a coordinate
 // that is not finite, for NULL and where a user's function failed; never -0. The thread's last message stays as it
@@ -1087,6 +1116,10 @@ emb_status emb_geom_values_f32(const emb_geom *g,
 // The closest point of the surface to each of `count` points, given as in emb_geom_values, with what is known
 // there. Where nothing is nearer than max_distance (INFINITY: no limit) the value is +-max_distance, ids are -1 and
 // vectors NaN. On a mesh ties go to the lowest face, so every accelerator and instruction set gives the same answer.
+// Gradients are analytic but for functions that know none; their direction is the unit normal, and their length is 1
+// where the geometry is exact. Of a union or intersection part, tag, face and point are those of the part whose value
+// it is, and the point may lie within another; bodies that are blended, bent or blurred keep part and tag, and have a
+// closest point (else NaN) only where their kind is EMB_EXACT.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (max_distance NaN or not > 0),
 // EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 emb_status emb_geom_closest(const emb_geom *g,
@@ -1151,6 +1184,38 @@ emb_status emb_geom_classify_boxes(const emb_geom *g,
                                    const double *hi,
                                    const emb_run *run,
                                    int32_t *out_class);
+
+// A box around a body, found by subdividing a start box as an octree: for functions that do not know their bounds
+// (emb_geom_bounds costs nothing where they are known). The start box is halved `depth` times (1 to 40) along each
+// axis; what may hold a part of the body is kept, and the result is widened by `safety` >= 0 widths of the finest
+// cells. *out_state: EMB_BOUNDING_FOUND; EMB_BOUNDING_REACHES_START, the body may reach the border of the start box;
+// EMB_BOUNDING_NOTHING, none of it lies in there; in the last two the box is infinite. Right wherever boxes can be
+// classified; a function of whose slope nothing is known is taken to be 1-Lipschitz. A body smaller than the finest
+// cells is found as well. Runs on the calling thread; run serves to cancel.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED. Cost: the
+// cells along the body's outermost parts, some 1,000 to 10,000 values.
+emb_status emb_geom_bounding_box(const emb_geom *g,
+                                 const double start_lo[3],
+                                 const double start_hi[3],
+                                 int32_t depth,
+                                 double safety,
+                                 const emb_run *run,
+                                 double out_lo[3],
+                                 double out_hi[3],
+                                 int32_t *out_state);
+
+// A ball around a body: about the middle of the box that emb_geom_bounding_box finds, as large as the farthest cell
+// needs, which is less than half the box's diagonal for round bodies. Arguments and errors as there; in the states
+// other than EMB_BOUNDING_FOUND the centre is zero and the radius infinite.
+emb_status emb_geom_bounding_sphere(const emb_geom *g,
+                                    const double start_lo[3],
+                                    const double start_hi[3],
+                                    int32_t depth,
+                                    double safety,
+                                    const emb_run *run,
+                                    double out_center[3],
+                                    double *out_radius,
+                                    int32_t *out_state);
 
 #ifdef __cplusplus
 }  // extern "C"

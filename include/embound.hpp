@@ -15,6 +15,7 @@
 #ifndef EMBOUND_HPP
 #define EMBOUND_HPP
 
+#include "embound/bounding.hpp"
 #include "embound/combine.hpp"
 #include "embound/error.hpp"
 #include "embound/function.hpp"

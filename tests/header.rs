@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 17] = [
     "constants",
     "error",
     "callback",
@@ -30,6 +30,7 @@ const SOURCES: [&str; 16] = [
     "blend",
     "combine",
     "query",
+    "bounding",
 ];
 
 fn generate() -> String {

@@ -39,8 +39,8 @@ public:
     static Blend smooth(double width) { return Blend(EMB_BLEND_SMOOTH, width); }
     /// -width log(exp(-a / width) + exp(-b / width)) (Ricci 1973).
     static Blend exponential(double width) { return Blend(EMB_BLEND_EXPONENTIAL, width); }
-    /// Any callable of two doubles a <= b that returns double or Blended, rises with either, and is NaN where
-    /// it fails. Geometries made with it keep it. One not marked thread-safe is only called on the threads
+    /// Any callable of two doubles a <= b that returns double or Blended, rises with either, is never above a,
+    /// and is NaN where it fails. Geometries made with it keep it. One not marked thread-safe is only called on the threads
     /// that ask. What it throws reaches the C++ caller as it was thrown.
     template <class Function> static Blend custom(Function f, const BlendOptions &options = {}) {
         Blend blend(EMB_BLEND_CUSTOM, 0.0);

@@ -9,6 +9,14 @@ impl Tree {
     /// Calls `visit` for every leaf that may hold a primitive whose box meets `region` (closed, possibly
     /// infinite).
     pub(crate) fn overlapping(&self, region: Aabb, mut visit: impl FnMut(usize)) {
+        self.any_overlapping(region, |leaf| {
+            visit(leaf);
+            false
+        });
+    }
+
+    /// The same until `visit` says that it has seen enough; whether it did.
+    pub(crate) fn any_overlapping(&self, region: Aabb, mut visit: impl FnMut(usize) -> bool) -> bool {
         // Rounded outward like the boxes: what meets still meets.
         let (lo, hi) = self.relative(region);
         let mut stack = vec![0u32];
@@ -24,12 +32,13 @@ impl Tree {
                 if !meets[k] || node.child[k] == u32::MAX {
                     continue;
                 }
-                if node.child[k] & LEAF != 0 {
-                    visit((node.child[k] & !LEAF) as usize);
-                } else {
+                if node.child[k] & LEAF == 0 {
                     stack.push(node.child[k]);
+                } else if visit((node.child[k] & !LEAF) as usize) {
+                    return true;
                 }
             }
         }
+        false
     }
 }

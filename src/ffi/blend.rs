@@ -14,8 +14,8 @@ use std::mem::{offset_of, size_of};
 use std::ptr;
 use std::sync::Arc;
 
-/// A user's blend of two values a <= b: what stands for the lesser of them in a union. It must rise with either and
-/// leave values further apart than emb_blend.support alone. Its derivatives by a and by b go to *out_by_a and
+/// A user's blend of two values a <= b: what stands for the lesser of them in a union. It must rise with either, never
+/// be above a, and be a where they are further apart than emb_blend.support. Its derivatives by a and by b go to *out_by_a and
 /// *out_by_b; left as they are (NaN), centred differences are taken. NaN says that it failed. It must give the same
 /// blend of the same values every time, and must not throw.
 pub type emb_blend_fn =

@@ -8,6 +8,7 @@ use super::geometry::{construct, emb_geom};
 use super::handle::{lend, null};
 use crate::error::{Result, try_with_capacity};
 use crate::geometry::Geometry;
+use crate::math::{Aabb, Vec3};
 
 /// The bodies of a composite; `name` is the argument's.
 ///
@@ -37,9 +38,13 @@ unsafe fn integers(name: &str, data: *const i32) -> Result<[i32; 3]> {
     Ok([given[0], given[1], given[2]])
 }
 
-/// The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. The
-/// parts live on in it and may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT,
-/// EMB_ERROR_MEMORY.
+/// The points in any of `count` parts: the least of their values. Of none: +INFINITY everywhere, no body. Exact where
+/// every part is and no two are found to have a point in common (their boxes do not meet, or one keeps clear of the
+/// other's); else a lower bound of the distance. Over four parts and more a hierarchy over the parts' own bounds is
+/// built, which a value searches for the few parts that may be the least; parts without bounds are always asked. The
+/// bits are those of asking every part, and of equal values the first part's labels win. The parts live on in it and
+/// may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY.
+/// Cost: n log n in the parts, then about log n a value.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_union(
     count: usize,
@@ -51,7 +56,8 @@ pub unsafe extern "C" fn emb_geom_union(
 }
 
 /// The points in every one of `count` parts: the greatest of their values. Of none: -INFINITY everywhere, all of
-/// space. Otherwise as emb_geom_union.
+/// space. Otherwise as emb_geom_union of the complements: the hierarchy is over parts that leave out a bounded piece of
+/// space, such as complements of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_intersection(
     count: usize,
@@ -95,9 +101,12 @@ pub unsafe extern "C" fn emb_geom_difference_of_many(
     unsafe { construct(out_geom, || lend("from", from)?.difference_of_many(&bodies("remove", count, remove)?)) }
 }
 
-/// The union of `count` parts with its inner edges filled: values that are close are blended as `blend` says, in
-/// rising order, so that the order of the parts makes no difference to the bit. A lower bound of the distance where
-/// the parts' values are 1-Lipschitz and the blend is. Labels are those of the part of least value. Errors:
+/// The union of `count` parts with its inner edges filled: values that are close are blended as `blend` says. Three
+/// and more are blended in rising order, blend(blend(a, b), c) with a <= b <= c, until the next is further behind the
+/// result than the blend's support: every part within the support takes part, the value goes on continuously where
+/// two parts change places, and the order in which they are given makes no difference to the bit. A lower bound of the
+/// distance where the parts' values are 1-Lipschitz and the blend is. Labels are those of the part of least value,
+/// closest points NaN where values are blended. Errors:
 /// EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY. Cost: n log n in the
 /// parts; a value asks those within the blend's support.
 #[unsafe(no_mangle)]
@@ -171,4 +180,25 @@ pub unsafe extern "C" fn emb_geom_repeat(
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
     unsafe { construct(out_geom, || lend("g", g)?.repeat(numbers("period", period)?, integers("counts", counts)?)) }
+}
+
+/// The geometry cut down to what matters within the finite box [lo, hi] (Duff 1992): parts of unions, intersections
+/// and blends that lose against another everywhere in the box are left out. Within the box the values have the same
+/// bits; outside of it they mean nothing. For a block of a grid that many parts are far from. Cost: one range of
+/// values for each part. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT.
+/// cbindgen:ptrs-as-arrays=[[lo;3], [hi;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_simplify(
+    g: *const emb_geom,
+    lo: *const f64,
+    hi: *const f64,
+    out_geom: *mut *mut emb_geom,
+) -> emb_status {
+    let build = || {
+        // SAFETY: pointers as the header asks.
+        let (g, lo, hi) = unsafe { (lend("g", g)?, numbers::<3>("lo", lo)?, numbers::<3>("hi", hi)?) };
+        g.simplified(Aabb::new(Vec3::from(lo), Vec3::from(hi)))
+    };
+    // SAFETY: pointers as the header asks.
+    unsafe { construct(out_geom, build) }
 }

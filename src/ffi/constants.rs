@@ -110,6 +110,13 @@ pub const EMB_ELSEWHERE_WRITE: i32 = 0;
 /// emb_crossings_out: nothing is written, to any of the arrays, on edges that the surface does not cross.
 pub const EMB_ELSEWHERE_LEAVE: i32 = 1;
 
+/// emb_geom_bounding_box: the body lies within the result.
+pub const EMB_BOUNDING_FOUND: i32 = 0;
+/// emb_geom_bounding_box: the body may reach the border of the start box; the result is infinite.
+pub const EMB_BOUNDING_REACHES_START: i32 = 1;
+/// emb_geom_bounding_box: no part of the body lies in the start box; the result is infinite.
+pub const EMB_BOUNDING_NOTHING: i32 = 2;
+
 const _: () = {
     assert!(parse(env!("CARGO_PKG_VERSION_MAJOR")) == EMB_VERSION_MAJOR);
     assert!(parse(env!("CARGO_PKG_VERSION_MINOR")) == EMB_VERSION_MINOR);

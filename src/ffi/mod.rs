@@ -11,6 +11,7 @@
 mod affinity;
 mod arrays;
 mod blend;
+mod bounding;
 mod callback;
 mod combine;
 mod constants;
@@ -31,6 +32,7 @@ mod versioned;
 mod writer;
 
 pub use blend::{emb_blend, emb_blend_fn, emb_blend_init};
+pub use bounding::*;
 pub use callback::{emb_drop_fn, emb_parallel_for_fn, emb_progress_fn, emb_value_fn};
 pub use combine::*;
 pub use constants::*;

@@ -123,7 +123,10 @@ pub unsafe extern "C" fn emb_geom_offset(
     unsafe { construct(out_geom, || lend("g", g)?.offset(distance)) }
 }
 
-/// The shell of points within `half_thickness` of the surface: |value| - half_thickness. Exact as emb_geom_offset is.
+/// The shell of points within `half_thickness` of the surface: |value| - half_thickness. Exact on and outside the
+/// shell where g is; within it, and so by its kind, only where no edge or curvature of the surface is in the way of
+/// either side (balls, planes, tori, cylinders without end): beside a box's edge the inner wall is further than this
+/// says. Else a lower bound of the distance where the value is 1-Lipschitz.
 /// O(1), shares g. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, not > 0).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_annular(

@@ -26,7 +26,8 @@ pub trait BlendFunction: Send + Sync {
     fn blend(&self, a: f64, b: f64) -> (f64, f64, f64);
 }
 
-/// A user's blend with what the caller knows, and vouches for, of it: it rises with either value.
+/// A user's blend with what the caller knows, and vouches for, of it: it rises with either value and is never
+/// above the lesser.
 #[derive(Clone)]
 pub struct CustomBlend {
     /// The function.
@@ -109,6 +110,15 @@ impl Blend {
         match self {
             Blend::Smooth(_) | Blend::Exponential(_) => 1.0,
             Blend::Custom(c) => c.lipschitz,
+        }
+    }
+
+    /// The blend of `a <= b`.
+    pub(super) fn value(&self, a: f64, b: f64) -> f64 {
+        match self {
+            // Without the differences that may have to stand for derivatives.
+            Blend::Custom(c) if a.is_finite() && b != f64::INFINITY => c.function.blend(a, b).0,
+            _ => self.of(a, b).0,
         }
     }
 

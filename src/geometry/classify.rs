@@ -5,6 +5,7 @@
 use super::Geometry;
 use super::node::Node;
 use super::properties::Kind;
+use super::shape::Shape;
 use super::summary::extent;
 use crate::math::{Aabb, Interval, Vec3, length};
 
@@ -82,8 +83,14 @@ impl Geometry {
     /// From what the leaves below know, by the logic of the tree.
     fn range_from_parts(&self, b: Aabb) -> Interval {
         match self.node() {
-            Node::Sphere(_) | Node::Surface(_) => Interval::ALL,
+            Node::Sphere(sphere) => sphere.range(b),
             Node::Shape(shape) => shape.range(b),
+            // Away from every triangle the sign is that of any point.
+            Node::Surface(surface) if surface.misses(b) => match self.raw_value(b.center()) > 0.0 {
+                true => POSITIVE,
+                false => NEGATIVE,
+            },
+            Node::Surface(_) => Interval::ALL,
             Node::Function { options, .. } if options.bounds.intersection(b).is_empty() => POSITIVE,
             Node::Function { function, .. } => function.range(b).unwrap_or(Interval::ALL),
             Node::Union(parts) => parts.range(b, 0.0),

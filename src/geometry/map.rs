@@ -27,7 +27,15 @@ pub(super) struct Linear {
     /// The largest factor by which the map lengthens.
     norm: f64,
     /// The way back, where there is one.
-    back: Option<(Mat3, Vec3)>,
+    back: Option<Back>,
+}
+
+/// `matrix * q + shift`: the inverse to within `error` of the length of a point.
+#[derive(Clone, Copy, Debug)]
+struct Back {
+    matrix: Mat3,
+    shift: Vec3,
+    error: f64,
 }
 
 impl Linear {
@@ -39,22 +47,26 @@ impl Linear {
         }
         let forward = Mat3::from_cols_array(&matrix).transpose();
         let size = forward.to_cols_array().into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-        let (least, most) = stretches(forward * (1.0 / size));
-        // NaN where the matrix is zero.
-        if least.is_nan() || least <= 1e-12 * most {
+        // Of length about 1; NaN where the matrix is zero.
+        let forward_unit = forward * (1.0 / size);
+        let inverse_unit = inverse(forward_unit);
+        // From the inverse as it was computed: that is what values see.
+        let least = if inverse_unit.is_finite() { 1.0 / most_stretch(inverse_unit) } else { 0.0 };
+        let condition = most_stretch(forward_unit) / least;
+        if condition.is_nan() || condition >= MOST_CONDITION {
             return Err(Error::invalid(format!(
                 "matrix: it shrinks a direction to {least:e} of its largest element, {size}: it has no inverse"
             )));
         }
-        let inverse = forward.inverse();
-        let room = 1.0 - 1e-9;
-        Ok(Linear {
-            matrix: inverse,
-            offset: inverse * -shift,
-            factor: least * size * room,
-            norm: 1.0 / (least * size * room),
-            back: Some((forward, shift)),
-        })
+        let matrix = inverse_unit * (1.0 / size);
+        let (factor, offset) = (least * size * (1.0 - 1e-9), matrix * -shift);
+        if !(factor.is_normal() && matrix.is_finite() && offset.is_finite()) {
+            return Err(Error::invalid(format!(
+                "matrix: its largest element, {size:e}, brings the inverse beyond the range of numbers"
+            )));
+        }
+        let back = Back { matrix: forward, shift, error: 64.0 * f64::EPSILON * condition };
+        Ok(Linear { matrix, offset, factor, norm: 1.0 / factor, back: Some(back) })
     }
 
     /// The plane through `origin` along two unit vectors at a right angle, as the plane of x and y.
@@ -64,9 +76,46 @@ impl Linear {
     }
 }
 
-/// The least and the largest factor by which a matrix lengthens: roots of the eigenvalues of its transpose
-/// times itself, by Jacobi's rotations (Golub & Van Loan 2013, section 8.5).
-fn stretches(m: Mat3) -> (f64, f64) {
+/// Matrices that stretch in one direction so many times as much as in another are refused.
+const MOST_CONDITION: f64 = 1e12;
+
+/// By Gauss' and Jordan's elimination with the largest pivots (Golub & Van Loan 2013, section 3.4): its error is
+/// that of the matrix's elements times how far the stretches differ. (Cofactors would square that.) Not finite
+/// where a pivot is zero.
+fn inverse(m: Mat3) -> Mat3 {
+    let columns = m.to_cols_array_2d();
+    let mut rows: [[f64; 6]; 3] =
+        [0, 1, 2].map(|r| std::array::from_fn(|c| if c < 3 { columns[c][r] } else { f64::from(c == r + 3) }));
+    let mut pivots = [(0, 0); 3];
+    for step in 0..3 {
+        let used = pivots;
+        let is_free = |r: usize, c: usize| used[..step].iter().all(|&(row, column)| row != r && column != c);
+        let free = (0..9).map(|k| (k / 3, k % 3)).filter(|&(r, c)| is_free(r, c));
+        let (row, column) = free.fold((9, 9), |best, (r, c)| match best {
+            (9, 9) => (r, c),
+            (row, column) if rows[r][c].abs() > rows[row][column].abs() => (r, c),
+            _ => best,
+        });
+        pivots[step] = (row, column);
+        let pivot = rows[row][column];
+        rows[row].iter_mut().for_each(|x| *x /= pivot);
+        let line = rows[row];
+        for r in (0..3).filter(|&r| r != row) {
+            let factor = rows[r][column];
+            (0..6).for_each(|c| rows[r][c] -= factor * line[c]);
+        }
+    }
+    let mut transposed = Mat3::ZERO;
+    for (row, column) in pivots {
+        *transposed.col_mut(column) = Vec3::from_slice(&rows[row][3..]);
+    }
+    transposed.transpose()
+}
+
+/// The largest factor by which a matrix lengthens: the root of the largest eigenvalue of its transpose times
+/// itself, by Jacobi's rotations (Golub & Van Loan 2013, section 8.5). (The least one would drown in its
+/// rounding.)
+fn most_stretch(m: Mat3) -> f64 {
     let gram = m.transpose() * m;
     let mut a = gram.to_cols_array_2d();
     for _ in 0..30 {
@@ -86,8 +135,26 @@ fn stretches(m: Mat3) -> (f64, f64) {
             }
         }
     }
-    let roots = [0, 1, 2].map(|k| a[k][k].max(0.0).sqrt());
-    (roots[0].min(roots[1]).min(roots[2]), roots[0].max(roots[1]).max(roots[2]))
+    [0, 1, 2].map(|k| a[k][k].max(0.0).sqrt()).into_iter().fold(0.0, f64::max)
+}
+
+impl Back {
+    /// Around a box of the body, in space: it holds every point that is mapped into the box.
+    fn around(&self, b: Aabb) -> Aabb {
+        let b = around(b, self.matrix, self.shift, |q| self.matrix * q + self.shift);
+        if !b.is_finite() {
+            return b;
+        }
+        let extent = length(b.lo.abs().max(b.hi.abs())) + length(self.shift);
+        let room = Vec3::splat(self.error * extent);
+        Aabb::new(b.lo - room, b.hi + room)
+    }
+
+    /// The largest factor by which it lengthens.
+    fn most(&self) -> f64 {
+        let size = self.matrix.to_cols_array().into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+        most_stretch(self.matrix * (1.0 / size)) * size * (1.0 + 1e-9 + self.error)
+    }
 }
 
 impl Map {
@@ -159,9 +226,9 @@ impl Map {
         let base = Summary { reach_outward: 0.0, reach_inward: 0.0, ..s };
         let steep = s.steepness();
         match self {
-            Map::Linear(Linear { back: Some((forward, shift)), factor, norm, offset, .. }) => {
-                let to_space = |b: Aabb| around(b, *forward, *shift, |q| *forward * q + *shift);
-                let most = stretches(*forward).1 * (1.0 + 1e-9);
+            Map::Linear(Linear { back: Some(back), factor, norm, offset, .. }) => {
+                let to_space = |b: Aabb| back.around(b);
+                let most = back.most();
                 let unit = 64.0 * f64::EPSILON * factor * steep;
                 // A point of space with coordinates up to E is mapped to within 3 norm E + |offset|.
                 let (reach, far) = (3.0 * norm, offset.abs().max_element());
@@ -169,7 +236,6 @@ impl Map {
                     bounds: to_space(s.bounds),
                     rest: to_space(s.rest),
                     kind: bound(true),
-                    lipschitz: s.lipschitz * (1.0 + 1e-12),
                     spread: s.spread * most / factor,
                     spread_rest: s.spread_rest * most / factor,
                     spread_axis: s.spread.max(s.spread_rest) * most / factor,
@@ -184,7 +250,6 @@ impl Map {
                 bounds: self.sliced(l, s.bounds),
                 rest: self.sliced(l, s.rest),
                 kind: bound(true),
-                lipschitz: s.lipschitz * (1.0 + 1e-12),
                 // Nothing is known of how fast the value rises within the plane.
                 spread: f64::INFINITY,
                 spread_rest: f64::INFINITY,

@@ -85,19 +85,23 @@ impl Repeat {
             }
         };
         let is_bounded = self.is_bounded() && p.is_finite();
-        if is_bounded {
+        let nearest: Option<[u32; 3]> = is_bounded.then(|| {
             let offset = p - s.bounds.center();
-            let nearest: [u32; 3] = std::array::from_fn(|k| match self.period[k] {
+            std::array::from_fn(|k| match self.period[k] {
                 0.0 => 0,
                 period => libm::rint(offset[k] / period).clamp(0.0, f64::from(self.counts[k] - 1)) as u32,
-            });
-            offer(nearest, &mut best);
+            })
+        });
+        if let Some(at) = nearest {
+            offer(at, &mut best);
         }
         let extent = p.abs().max_element() + self.farthest();
         let reach = |value: f64| {
             let margin = (s.rounding.0 + 16.0 * f64::EPSILON) * extent + s.rounding.1;
             let reach = value + margin;
-            (if reach > 0.0 { reach * s.spread } else { reach }) * (1.0 + 1e-14 * reach.signum()) + margin
+            // Inside, a value is no lower than the depth in the bounds times the Lipschitz constant.
+            let reach = if reach > 0.0 { reach * s.spread } else { reach / s.lipschitz.max(1.0) };
+            reach * (1.0 + 1e-14 * reach.signum()) + margin
         };
         let near = |axis: usize, reach: f64| match is_bounded {
             true => {
@@ -114,7 +118,9 @@ impl Repeat {
                 let (x0, x1) = near(0, limit);
                 for x in x0..=x1 {
                     let at = [x, y, z];
-                    if is_bounded && box_key(s.bounds, p - self.shift(at)) > key(limit) {
+                    // Once only: asked twice, lattices within lattices would take twice as long with each level.
+                    let is_asked = nearest == Some(at);
+                    if is_asked || (is_bounded && box_key(s.bounds, p - self.shift(at)) > key(limit)) {
                         continue;
                     }
                     offer(at, &mut best);

@@ -104,6 +104,18 @@ impl Geometry {
         self.raw_value(p) <= 0.0
     }
 
+    /// Whether steps along a segment cannot miss much: without a Lipschitz constant a body between its ends goes
+    /// unseen, and a crossing of another body within it is none.
+    pub(crate) fn has_slope(&self) -> bool {
+        self.summary().lipschitz.is_finite()
+    }
+
+    /// Whether the sides are different a millionth of the segment before and after a place.
+    pub(crate) fn changes_side(&self, a: Vec3, b: Vec3, t: f64) -> bool {
+        let at = |t: f64| if t < 1.0 { a + (b - a) * t.max(0.0) } else { b };
+        self.is_inside(at(t - 1e-6)) != self.is_inside(at(t + 1e-6))
+    }
+
     /// A crossing between ends on opposite sides, by halving until nothing is left to halve: the last
     /// double before the side changes, seen from the outside end.
     pub(crate) fn bisect(&self, a: Vec3, b: Vec3, inside_first: bool) -> f64 {

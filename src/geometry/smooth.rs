@@ -14,12 +14,15 @@ use crate::math::{Aabb, Interval, Vec3};
 pub(super) struct Smooth {
     parts: Parts,
     blend: Blend,
+    /// The most by which blending all parts goes below the least of them.
+    depth: f64,
 }
 
 impl Smooth {
     /// `parts` are not turned.
     pub(super) fn new(parts: Parts, blend: Blend) -> Smooth {
-        Smooth { parts, blend }
+        let depth = blend.depth(parts.list().len());
+        Smooth { parts, blend, depth }
     }
 
     pub(super) fn parts(&self) -> &Parts {
@@ -32,39 +35,28 @@ impl Smooth {
 
     /// The parts that count, in rising order; one that is NaN alone.
     fn blended(&self, p: Vec3) -> Vec<Found> {
-        let least = self.parts.least(p);
-        if !least.value.is_finite() {
-            return vec![least];
-        }
-        let mut found = self.parts.below(p, least.value + self.blend.support());
-        if let Some(bad) = found.iter().find(|f| f.value.is_nan()) {
-            return vec![*bad];
-        }
+        let mut found = self.parts.near(p, self.blend.support());
         found.sort_unstable_by(|a, b| a.value.total_cmp(&b.value).then(a.part.cmp(&b.part)));
-        if found.is_empty() { vec![least] } else { found }
+        found
     }
 
-    /// Blends until the rest is too far behind: `weigh` is told of each step the derivatives by the result so
-    /// far and by the next value.
-    fn fold(&self, found: &[Found], mut weigh: impl FnMut(usize, f64, f64)) -> f64 {
+    /// Blends until the rest is too far behind, or the blend failed: `blend` gets the number of the next part,
+    /// the lesser value and the greater, and whether the greater is the next part's.
+    fn fold(&self, found: &[Found], mut blend: impl FnMut(usize, f64, f64, bool) -> f64) -> f64 {
         let mut value = found[0].value;
         for (k, next) in found.iter().enumerate().skip(1) {
-            if next.value - value >= self.blend.support() {
+            if value.is_nan() || next.value - value >= self.blend.support() {
                 break;
             }
-            // A user's blend need not go below the least value.
-            let (a, b) = (value.min(next.value), value.max(next.value));
-            let (blended, by_a, by_b) = self.blend.of(a, b);
-            let (by_value, by_next) = if value <= next.value { (by_a, by_b) } else { (by_b, by_a) };
-            weigh(k, by_value, by_next);
-            value = blended;
+            // Rounding may bring a user's blend above its lesser value.
+            value = blend(k, value.min(next.value), value.max(next.value), value <= next.value);
         }
         value
     }
 
     #[inline(never)]
     pub(super) fn value(&self, p: Vec3) -> f64 {
-        self.fold(&self.blended(p), |_, _, _| {})
+        self.fold(&self.blended(p), |_, a, b, _| self.blend.value(a, b))
     }
 
     /// With the labels of the part of least value.
@@ -77,8 +69,11 @@ impl Smooth {
         let part = |k: usize| &self.parts.list()[found[k].part];
         let winner = part(0).raw_closest(p);
         let mut gradient = winner.gradient;
-        let value = self.fold(&found, |k, by_value, by_next| {
+        let value = self.fold(&found, |k, a, b, is_in_order| {
+            let (blended, by_a, by_b) = self.blend.of(a, b);
+            let (by_value, by_next) = if is_in_order { (by_a, by_b) } else { (by_b, by_a) };
             gradient = gradient * by_value + part(k).gradient(p) * by_next;
+            blended
         });
         let alone = value == winner.value;
         let nowhere = Closest { value, gradient, part: winner.part, tag: winner.tag, ..Closest::only(value) };
@@ -86,9 +81,8 @@ impl Smooth {
     }
 
     pub(super) fn range(&self, b: Aabb) -> Interval {
-        let depth = self.blend.depth(self.parts.list().len());
-        let least = self.parts.range(b, depth * (1.0 + 1e-9));
-        Interval::new((least.lo - depth).next_down(), least.hi)
+        let least = self.parts.range(b, self.depth * (1.0 + 1e-9));
+        Interval::new((least.lo - self.depth).next_down(), least.hi)
     }
 
     /// Of the node over parts of whose union `s` is known.
@@ -97,17 +91,16 @@ impl Smooth {
         if n < 2 {
             return s;
         }
-        let depth = self.blend.depth(n);
         let lipschitz = s.lipschitz * self.blend.lipschitz();
         let unit = 16.0 * f64::EPSILON * n.min(1000) as f64;
         Summary {
-            bounds: grown(s.bounds, Vec3::splat(depth * s.spread_axis)),
+            bounds: grown(s.bounds, Vec3::splat(self.depth * s.spread_axis)),
             kind: if lipschitz <= 1.0 { Kind::LowerBound } else { Kind::SignOnly },
             lipschitz,
             reach_outward: 0.0,
             reach_inward: 0.0,
             // Blends round values and what they take off.
-            rounding: (s.rounding.0 + 4.0 * unit, s.rounding.1 + unit * (self.blend.depth(n) + s.extent())),
+            rounding: (s.rounding.0 + 4.0 * unit, s.rounding.1 + unit * (self.depth + s.extent())),
             ..s
         }
     }

@@ -7,6 +7,7 @@ pub(crate) mod cuboid;
 pub(crate) mod ellipsoid;
 pub(crate) mod noise;
 pub(crate) mod outline;
+pub(crate) mod overlap;
 pub(crate) mod polygon;
 pub(crate) mod profile;
 pub(crate) mod sphere;

@@ -44,12 +44,14 @@ pub fn bounding_box(g: &Geometry, start: Aabb, depth: i32, safety: f64, run: &Ru
 /// A ball around the body, as centre and radius: about the middle of the box that [`bounding_box`] finds, as
 /// large as the farthest cell needs.
 pub fn bounding_sphere(g: &Geometry, start: Aabb, depth: i32, safety: f64, run: &Run) -> Result<Bounding<(Vec3, f64)>> {
+    let ball = Ball { center: Vec3::ZERO, radius: f64::NEG_INFINITY };
+    let mut search = Search::new(g, start, depth, safety, run, ball)?;
     let center = match bounding_box(g, start, depth, 0.0, run)? {
         Bounding::Found(b) => b.center(),
         Bounding::ReachesStart => return Ok(Bounding::ReachesStart),
         Bounding::Nothing => return Ok(Bounding::Nothing),
     };
-    let mut search = Search::new(g, start, depth, safety, run, Ball { center, radius: f64::NEG_INFINITY })?;
+    search.cover.center = center;
     search.visit(start, depth)?;
     let room = length(search.room());
     Ok(search.answer().map(|ball| (center, (ball.radius + room) * (1.0 + 1e-15))))

@@ -154,7 +154,9 @@ fn ordered(g: &Geometry, low: Vec3, high: Vec3) -> Result<Intercept> {
         crossings.len() % 2 == 1 && crossings.iter().enumerate().all(|(k, e)| (e.change == change) == (k % 2 == 0));
     let nearest_outside = if inside.0 { crossings.last() } else { crossings.first() };
     let (event, status) = match nearest_outside {
-        Some(event) if agrees => (**event, if crossings.len() > 1 { 2 } else { 1 }),
+        Some(event) if agrees && (g.has_slope() || g.changes_side(low, high, event.t)) => {
+            (**event, if crossings.len() > 1 { 2 } else { 1 })
+        }
         // A zero end needs no search.
         _ if values.0 == 0.0 => (g.bisected_event(low, 0.0, change), 1),
         _ if values.1 == 0.0 => (g.bisected_event(high, 1.0, change), 1),

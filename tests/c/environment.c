@@ -35,17 +35,18 @@ static void flush_denormals(int on) {
 /* Everything that is computed, in one environment. */
 typedef struct results {
   double values[POINTS], one[POINTS], fill[CELLS], band[CELLS], where[CELLS], t[POINTS], point[3 * POINTS], bounds[6];
-  double tiny[CELLS];
+  double tiny[CELLS], tree[POINTS];
   float floats[CELLS];
   int32_t signs[CELLS], classes[POINTS];
-  uint64_t fingerprint;
+  uint64_t fingerprint, tree_fingerprint;
   emb_mesh_report report;
 } results;
 
 static double points[3 * POINTS], ends[3 * POINTS], axis[N], tiny_axis[N];
 static soup ball;
 static emb_pool *pool;
-static uint32_t callback_word, progress_word, executor_word, drop_word;
+static uint32_t callback_word, values_word, gradient_word, range_word, blend_word;
+static uint32_t progress_word, executor_word, drop_word;
 static int keeps_word; /* valgrind does not */
 static int has_executor;
 
@@ -54,6 +55,36 @@ static double recording_function(void *user, double x, double y, double z) {
   (void)user;
   callback_word = word();
   return x > 0.25 || y > 0.25 || z > 0.25 ? 1.0 : -1.0;
+}
+
+static void recording_values(void *user, size_t count, const double *x, const double *y, const double *z, double *out) {
+  size_t i;
+  (void)user;
+  values_word = word();
+  for (i = 0; i < count; i++) {
+    out[i] = x[i] > 0.25 || y[i] > 0.25 || z[i] > 0.25 ? 1.0 : -1.0;
+  }
+}
+
+static int32_t recording_gradient(void *user, double x, double y, double z, double *out_gradient) {
+  (void)user, (void)x, (void)y, (void)z;
+  gradient_word = word();
+  out_gradient[0] = 1.0, out_gradient[1] = out_gradient[2] = 0.0;
+  return 0;
+}
+
+static int32_t recording_range(void *user, const double *lo, const double *hi, double *out_lo, double *out_hi) {
+  (void)user, (void)lo, (void)hi;
+  range_word = word();
+  *out_lo = -1.0, *out_hi = 1.0;
+  return 0;
+}
+
+static double recording_blend(void *user, double a, double b, double *out_by_a, double *out_by_b) {
+  (void)user, (void)b;
+  blend_word = word();
+  *out_by_a = 1.0, *out_by_b = 0.0;
+  return a;
 }
 
 static int32_t recording_progress(void *user, double fraction) {
@@ -91,6 +122,69 @@ static uint32_t outside;
     statement;                                           \
     CHECK(!keeps_word || word() == outside);             \
   } while (0)
+
+/* Shapes, maps, blends and an expression. */
+static emb_geom *tree(void) {
+  const double center[3] = {0.1, 0.2, 0.3}, axes[3] = {0.6, 0.3, 0.2}, up[3] = {0.1, 0.2, 1.0}, a[3] = {-0.5, 0, 0};
+  const double shear[9] = {1, 0.25, 0, 0, 1, 0, 0, 0.125, 1};
+  emb_blend blend;
+  emb_geom *ellipsoid, *torus, *prism, *wavy, *turned, *sheared, *smooth, *all;
+  const emb_geom *parts[3];
+  SAME(emb_blend_init(&blend, sizeof blend));
+  blend.width = 0.15;
+  SAME(emb_geom_ellipsoid(center, axes, NULL, &ellipsoid));
+  SAME(emb_geom_torus(center, up, 0.5, 0.1, &torus));
+  SAME(emb_geom_prism(a, center, up, 5, 0.2, &prism));
+  SAME(emb_geom_expression("sqrt(x^2 + y^2) - 0.2*exp(-z^2) - 0.05*sin(9*z)", NULL, &wavy));
+  SAME(emb_geom_rotate(torus, up, 40, center, &turned));
+  SAME(emb_geom_affine(prism, shear, NULL, &sheared));
+  parts[0] = ellipsoid, parts[1] = turned, parts[2] = sheared;
+  SAME(emb_geom_smooth_union(3, parts, &blend, &smooth));
+  parts[0] = smooth, parts[1] = wavy;
+  SAME(emb_geom_difference_of_many(smooth, 1, parts + 1, &all));
+  emb_geom_free(ellipsoid), emb_geom_free(torus), emb_geom_free(prism), emb_geom_free(wavy), emb_geom_free(turned);
+  emb_geom_free(sheared), emb_geom_free(smooth);
+  return all;
+}
+
+/* What callbacks find besides the value. */
+static void callbacks_see_the_callers_environment(const emb_geom *other, const emb_callback_options *plain) {
+  const double lo[3] = {-2, -2, -2}, hi[3] = {2, 2, 2};
+  emb_callback_options options = *plain;
+  emb_run run = {sizeof run, NULL, NULL, NULL};
+  emb_blend blend;
+  emb_closest_out closest;
+  emb_geom *function, *blended;
+  const emb_geom *parts[2];
+  double values[POINTS], gradient[POINTS];
+  run.pool = pool;
+  options.values = recording_values, options.gradient = recording_gradient, options.range = recording_range;
+  options.kind = EMB_LOWER_BOUND;
+  SAME(emb_geom_callback(recording_function, NULL, NULL, &options, &function));
+  SAME(emb_geom_values(function, POINTS, points, points + 1, points + 2, 3, &run, values));
+  CHECK(!keeps_word || values_word == outside);
+  memset(&closest, 0, sizeof closest);
+  closest.struct_size = sizeof closest;
+  closest.gradient[0] = gradient, closest.vector_stride = 1;
+  SAME(emb_geom_closest(function, POINTS, points, points + 1, points + 2, 3, INFINITY, &run, &closest));
+  CHECK(!keeps_word || gradient_word == outside);
+  SAME_VOID(CHECK(emb_geom_classify_box(function, lo, hi) == 0));
+  CHECK(!keeps_word || range_word == outside);
+  SAME(emb_blend_init(&blend, sizeof blend));
+  blend.kind = EMB_BLEND_CUSTOM, blend.blend = recording_blend, blend.thread_safe = 1, blend.drop = recording_drop;
+  blend.depth = 0.0, blend.lipschitz = 1.0;
+  parts[0] = function, parts[1] = other;
+  SAME(emb_geom_smooth_union(2, parts, &blend, &blended));
+  SAME_VOID(emb_geom_value(blended, 0.1, 0.2, 0.3));
+  CHECK(!keeps_word || blend_word == outside);
+  blend_word = 0;
+  SAME(emb_geom_values(blended, POINTS, points, points + 1, points + 2, 3, &run, values));
+  CHECK(!keeps_word || blend_word == outside);
+  emb_geom_free(function);
+  drop_word = 0;
+  SAME_VOID(emb_geom_free(blended));
+  CHECK(!keeps_word || drop_word == outside);
+}
 
 static void compute(results *r) {
   const double center[3] = {0.1, 0.2, 0.3}, lo[3] = {-0.3, -0.3, -0.3}, hi[3] = {0.4, 0.4, 0.4};
@@ -183,6 +277,13 @@ static void compute(results *r) {
   SAME(emb_geom_fill(function, &lattice, EMB_FILL_SIGN, 0.0, &run, &out));
   CHECK(!keeps_word || callback_word == outside);
   CHECK(!keeps_word || !has_executor || executor_word == outside);
+  callbacks_see_the_callers_environment(sphere, &callback_options);
+  {
+    emb_geom *g = tree();
+    SAME(emb_geom_values(g, POINTS, points, points + 1, points + 2, 3, &run, r->tree));
+    SAME_VOID(r->tree_fingerprint = emb_geom_fingerprint(g));
+    emb_geom_free(g);
+  }
   /* errors too */
   SAME_VOID(CHECK(emb_geom_sphere(NULL, 1.0, &sphere) == EMB_ERROR_NULL_ARGUMENT));
   SAME_VOID(CHECK(strcmp(emb_last_error(), "center: NULL") == 0));

@@ -9,7 +9,7 @@
 typedef struct arguments {
   size_t count, size;
   double small, large, height, angle, z_lo, z_hi;
-  int32_t part, sides, octaves, plane, samples;
+  int32_t part, sides, octaves, plane, samples, depth;
   const double *point, *end, *axis, *toward, *half, *lo, *hi, *rotation, *shift, *corners;
   const int32_t *counts;
   const char *text;
@@ -22,6 +22,8 @@ typedef struct arguments {
   emb_callback_options *callback_options;
   emb_expression_options *expression_options;
   emb_geom **out_geom;
+  double *out_lo, *out_hi;
+  int32_t *out_state;
   /* what the struct pointers above point to */
   struct { emb_lattice value; char tail[16]; } lattice_value;
   struct { emb_array value; char tail[16]; } array_value;
@@ -33,6 +35,8 @@ typedef struct arguments {
 /* Everything that a call may write to. */
 static struct outputs {
   emb_geom *geom;
+  double lo[3], hi[3];
+  int32_t state;
 } outputs;
 
 static const double xs[8] = {0, 1, 2, 3, 4, 5, 6, 7}, zero[9] = {0}, up[3] = {0, 0, 2}, aside[3] = {3, 0, 1},
@@ -54,13 +58,13 @@ static arguments good(void) {
   memset(&a, 0, sizeof a);
   a.count = 4;
   a.small = 0.5, a.large = 2.0, a.height = 3.0, a.angle = 60.0, a.z_lo = -1.0, a.z_hi = 1.0;
-  a.part = 3, a.sides = 6, a.octaves = 2, a.plane = 1, a.samples = 3;
+  a.part = 3, a.sides = 6, a.octaves = 2, a.plane = 1, a.samples = 3, a.depth = 4;
   a.point = zero, a.end = a.axis = up, a.toward = aside, a.half = half, a.lo = lo, a.hi = hi;
   a.rotation = identity, a.shift = xs, a.corners = square, a.counts = counts;
   a.text = "x^2 + y^2 - 1";
   a.g = a.second = sphere, a.parts = parts;
   a.value = sphere_function;
-  a.out_geom = &outputs.geom;
+  a.out_geom = &outputs.geom, a.out_lo = outputs.lo, a.out_hi = outputs.hi, a.out_state = &outputs.state;
   a.lattice_value.value.struct_size = sizeof(emb_lattice);
   a.lattice_value.value.n[0] = 3, a.lattice_value.value.n[1] = 2, a.lattice_value.value.n[2] = 2;
   a.lattice_value.value.x = a.lattice_value.value.y = a.lattice_value.value.z = xs;
@@ -132,6 +136,11 @@ CALL(smooth_union, emb_geom_smooth_union(a->count, a->parts, a->blend, a->out_ge
 CALL(smooth_intersection, emb_geom_smooth_intersection(a->count, a->parts, a->blend, a->out_geom))
 CALL(smooth_difference, emb_geom_smooth_difference(a->g, a->count, a->parts, a->blend, a->out_geom))
 CALL(repeat, emb_geom_repeat(a->g, a->half, a->counts, a->out_geom))
+CALL(simplify, emb_geom_simplify(a->g, a->lo, a->hi, a->out_geom))
+CALL(bounding_box, emb_geom_bounding_box(a->g, a->lo, a->hi, a->depth, a->small, NULL, a->out_lo, a->out_hi,
+                                         a->out_state))
+CALL(bounding_sphere, emb_geom_bounding_sphere(a->g, a->lo, a->hi, a->depth, a->small, NULL, a->out_lo, a->out_hi,
+                                               a->out_state))
 CALL(geom_translate, emb_geom_translate(a->g, a->shift, a->out_geom))
 CALL(geom_place, emb_geom_place(a->g, a->rotation, a->shift, a->out_geom))
 CALL(rotate, emb_geom_rotate(a->g, a->axis, a->angle, a->point, a->out_geom))
@@ -162,6 +171,14 @@ static double gaps[16] = {1, 2, NAN, 0};
 static float gaps_f32[16] = {1, 2, 3, INFINITY};
 static const emb_geom *hollow_parts[4];
 
+#define BOUNDING(call, first, second)                                                                          \
+  NULLED(call, g, "g"), NULLED(call, lo, "start_lo"), NULLED(call, hi, "start_hi"), BENT(call, lo, "start_lo"), \
+  NULLED(call, out_lo, first), NULLED(call, out_hi, second), NULLED(call, out_state, "out_state"),              \
+  POINTED(call, hi, infinite, EMB_ERROR_INVALID_ARGUMENT, "start_hi[1]: 0 to inf"),                             \
+  POINTED(call, hi, lo, EMB_ERROR_INVALID_ARGUMENT, "start_hi[0]: 0 to 0"),                                     \
+  INTEGER(call, depth, 0, EMB_ERROR_INVALID_ARGUMENT, "depth: 0"),                                              \
+  INTEGER(call, depth, 41, EMB_ERROR_INVALID_ARGUMENT, "depth: 41"), NOT_FINITE(call, small, "safety"),         \
+  REAL_ONE(call, small, -1.0, "safety: -1")
 #define OUT(call) NULLED(call, out_geom, "out_geom")
 #define VECTOR(call, member, name)                                                                            \
   NULLED(call, member, name), BENT(call, member, name),                                                       \
@@ -298,6 +315,10 @@ static const misuse table[] = {
     OUT(repeat), NULLED(repeat, g, "g"), VECTOR(repeat, half, "period"), NULLED(repeat, counts, "counts"),
     BENT(repeat, counts, "counts"), POINTED(repeat, counts, no_copies, EMB_ERROR_INVALID_ARGUMENT, "counts[1]: 0"),
     POINTED(repeat, counts, many_copies, EMB_ERROR_INVALID_ARGUMENT, "counts: 2147483647"),
+    OUT(simplify), NULLED(simplify, g, "g"), NULLED(simplify, lo, "lo"), NULLED(simplify, hi, "hi"),
+    BENT(simplify, lo, "lo"), POINTED(simplify, hi, infinite, EMB_ERROR_INVALID_ARGUMENT, "lo, hi"),
+    POINTED(simplify, lo, half, EMB_ERROR_INVALID_ARGUMENT, "lo, hi"),
+    BOUNDING(bounding_box, "out_lo", "out_hi"), BOUNDING(bounding_sphere, "out_center", "out_radius"),
     NULLED(geom_complement, g, "g"),
     NULLED(geom_complement, out_geom, "out_geom"),
     NULLED(geom_translate, g, "g"),

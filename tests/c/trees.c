@@ -385,10 +385,10 @@ static void blends_of_the_callers_are_kept(void) {
   emb_array out = {sizeof out, known, EMB_F64, {0, 0, 0}};
   emb_blend smooth = blend_of(EMB_BLEND_SMOOTH, 0.5), custom = blend_of(EMB_BLEND_CUSTOM, 0);
   calls counts = {0, 0, 0, 0, 0, 0};
-  emb_geom *a, *b, *expected, *made, *again, *none = NULL;
+  emb_geom *a, *b, *expected, *made, *again, *unknown, *none = NULL;
   emb_closest_out closest;
   emb_geom_properties properties;
-  const emb_geom *both[2];
+  const emb_geom *both[2], *three[3];
   double x = 0.7, y = 0.1, z = 0.9;
   int i, c;
   custom.blend = quadratic, custom.user = &counts, custom.drop = drop_calls;
@@ -407,6 +407,10 @@ static void blends_of_the_callers_are_kept(void) {
   properties.struct_size = sizeof properties;
   CHECK_OK(emb_geom_properties_get(made, &properties));
   CHECK(properties.kind == EMB_LOWER_BOUND && properties.lipschitz == 1);
+  /* one call of the blend for one value */
+  counts.values = 0;
+  emb_geom_value(made, x, y, z);
+  CHECK(counts.values == 1);
   /* derivatives: by differences, then as told */
   memset(&closest, 0, sizeof closest);
   closest.struct_size = sizeof closest;
@@ -421,8 +425,29 @@ static void blends_of_the_callers_are_kept(void) {
   for (c = 0; c < 3; c++) {
     CHECK(fabs(gradients[0][c] - gradients[1][c]) < 1e-6);
   }
-  /* failure */
+  /* nothing known but the function: every part is asked */
+  custom.support = custom.depth = custom.lipschitz = INFINITY;
+  both[0] = made, both[1] = b;
+  CHECK_OK(emb_geom_smooth_union(2, both, &custom, &unknown));
+  CHECK_OK(emb_geom_properties_get(unknown, &properties));
+  CHECK(properties.kind == EMB_SIGN_ONLY && properties.lipschitz == INFINITY);
+  for (i = 0; i < 100; i++) {
+    double p[3] = {random_between(-2, 3), random_between(-1.5, 1.5), random_between(-1.5, 1.5)};
+    double v = emb_geom_value(unknown, p[0], p[1], p[2]), least = emb_geom_value(made, p[0], p[1], p[2]);
+    CHECK(v <= least + 1e-12 && v >= least - 0.125);
+    CHECK(emb_geom_classify_box(unknown, p, p) == (v > 0) - (v < 0));
+  }
+  emb_geom_free(unknown);
+  CHECK(counts.drops == 1);
+  counts.drops = 0;
+  custom.support = custom.depth = 0.5, custom.lipschitz = 1;
+  /* failure, also where more parts follow */
   counts.fails = 1;
+  three[0] = three[1] = a, three[2] = b;
+  CHECK_OK(emb_geom_smooth_union(3, three, &custom, &unknown));
+  CHECK(isnan(emb_geom_value(unknown, 0.75, 0, 0)));
+  emb_geom_free(unknown);
+  counts.drops = 0;
   CHECK(isnan(emb_geom_value(made, 0.75, 0, 0)));
   CHECK_STATUS(emb_geom_fill(made, &lattice, EMB_FILL_EXACT, 0, NULL, &out), EMB_ERROR_CALLBACK);
   /* dropped once for each geometry, and not where none was made */

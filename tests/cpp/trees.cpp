@@ -240,3 +240,30 @@ TEST(blends_of_the_callers_are_kept_and_may_throw) {
     CHECK(boom([&] { g.fill(lattice, embound::FillMode::Sign); }) == 31);
     CHECK(std::isnan(emb_geom_value(g.get(), 0.75, 0.0, 0.0)));
 }
+
+TEST(bodies_without_bounds_are_given_some) {
+    const Geometry ball = embound::function(sphere_value);
+    const embound::Box start{{-4.0, -4.0, -4.0}, {4.0, 4.0, 4.0}};
+    const embound::BoundingBox found = embound::bounding_box(ball, start, 6, 1.0);
+    CHECK(found.state == embound::Bounding::Found);
+    for (std::size_t d = 0; d < 3; ++d) {
+        CHECK(found.box.lo[d] <= -1.0 && found.box.lo[d] > -1.5 && found.box.hi[d] >= 1.0 && found.box.hi[d] < 1.5);
+    }
+    const embound::BoundingSphere around = embound::bounding_sphere(ball, start, 6);
+    CHECK(around.state == embound::Bounding::Found && around.radius >= 1.0 && around.radius < 1.4);
+    const embound::Box small{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}, beside{{2.0, 2.0, 2.0}, {3.0, 3.0, 3.0}};
+    CHECK(embound::bounding_box(ball, small, 4).state == embound::Bounding::ReachesStart);
+    CHECK(std::isinf(embound::bounding_box(ball, beside, 4).box.lo[0]));
+    CHECK(embound::bounding_sphere(ball, beside, 4).state == embound::Bounding::Nothing);
+    CHECK(check::status_of([&] { embound::bounding_box(ball, small, 99); }) == EMB_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(a_body_cut_down_to_a_box_is_the_same_there) {
+    std::vector<Geometry> parts;
+    for (int i = 0; i < 100; ++i) {
+        parts.push_back(embound::sphere({0.5 * i, 0.0, 0.0}, 0.3));
+    }
+    const Geometry row = embound::unite(parts), cut = embound::simplify(row, {{10.0, -1.0, -1.0}, {11.0, 1.0, 1.0}});
+    CHECK(cut.properties().primitives < 20);
+    CHECK(cut(10.3, 0.2, 0.1) == row(10.3, 0.2, 0.1));
+}

@@ -7,6 +7,7 @@ use super::spheres::Block;
 use crate::bvh::{LEAF_SIZE, Tree};
 use crate::error::{Result, try_with_capacity};
 use crate::geometry::Geometry;
+use crate::geometry::Kind;
 use crate::geometry::node::Node;
 use crate::geometry::shape::Sphere;
 use crate::math::Aabb;
@@ -25,6 +26,8 @@ pub(super) struct Hierarchy {
     pub(super) beside: Vec<u32>,
     /// Largest of the parts in the trees.
     spread: f64,
+    /// Largest Lipschitz constant of the parts in the trees, at least 1: how fast a value falls inside a box.
+    steepness: f64,
     /// Largest rounding of the parts in the trees, and of distances to boxes.
     rounding: (f64, f64),
 }
@@ -52,11 +55,13 @@ impl Hierarchy {
         if spheres.len() + others.len() < 2 {
             return Ok(None);
         }
-        let mut hierarchy = Hierarchy { spheres: None, others: None, beside, spread: 1.0, rounding: (0.0, 0.0) };
+        let mut hierarchy =
+            Hierarchy { spheres: None, others: None, beside, spread: 1.0, steepness: 1.0, rounding: (0.0, 0.0) };
         let mut size = 0.0f64;
         for &k in spheres.iter().chain(&others) {
             let (s, b) = (list[k as usize].summary(), around(&list[k as usize], turned));
             hierarchy.spread = hierarchy.spread.max(if turned { s.spread_rest } else { s.spread });
+            hierarchy.steepness = hierarchy.steepness.max(s.lipschitz);
             hierarchy.rounding.0 = hierarchy.rounding.0.max(s.rounding.0);
             hierarchy.rounding.1 = hierarchy.rounding.1.max(s.rounding.1);
             size = size.max(b.lo.abs().max(b.hi.abs()).max_element());
@@ -95,9 +100,9 @@ impl Hierarchy {
     pub(super) fn bound(&self, value: f64, extent: f64) -> f64 {
         let margin = self.rounding.0 * extent + self.rounding.1;
         let reach = value + margin;
-        // Outside, a value d says that the body may be spread * d away; inside, the body is no deeper than
-        // its box.
-        let reach = if reach > 0.0 { reach * self.spread } else { reach };
+        // Outside, a value d says that the body may be spread * d away; inside, a value is no lower than the
+        // depth in the box times the Lipschitz constant, for it is positive beyond.
+        let reach = if reach > 0.0 { reach * self.spread } else { reach / self.steepness };
         reach + margin + reach.abs() * 1e-14
     }
 
@@ -123,7 +128,15 @@ impl Hierarchy {
 fn fits(part: &Geometry, turned: bool) -> bool {
     let (s, b) = (part.summary(), around(part, turned));
     let spread = if turned { s.spread_rest } else { s.spread };
-    b.is_finite() && spread <= MOST_SPREAD && s.rounding.0.is_finite() && s.rounding.1.is_finite()
+    // One that may have no value is always asked, unless the user vouches for its distance.
+    let is_vouched = !s.may_fail || s.kind == Kind::Exact;
+    let is_bound = s.kind <= Kind::LowerBound;
+    is_vouched
+        && is_bound
+        && b.is_finite()
+        && spread <= MOST_SPREAD
+        && s.rounding.0.is_finite()
+        && s.rounding.1.is_finite()
 }
 
 /// The ball that a part is, under its labels.

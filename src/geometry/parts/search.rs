@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! The least value of all parts and the part it belongs to, and all parts with values below a limit.
+//! The least value of all parts and the part it belongs to, and all parts with values close behind it.
 
 use super::Parts;
 use super::hierarchy::Hierarchy;
@@ -41,19 +41,29 @@ impl Sink for Least {
     }
 }
 
-/// All values below a limit.
-struct Below {
-    limit: f64,
+/// The least value, and all that were less than `support` behind the least one so far.
+struct Near {
+    least: Least,
+    support: f64,
     found: Vec<Found>,
 }
 
-impl Sink for Below {
+impl Near {
+    /// What the least value leaves of interest.
+    fn end(&self) -> f64 {
+        let least = self.least.limit();
+        if least == f64::NEG_INFINITY { least } else { least + self.support }
+    }
+}
+
+impl Sink for Near {
     fn limit(&self) -> f64 {
-        self.limit
+        self.end()
     }
 
     fn offer(&mut self, value: f64, part: usize) {
-        if value < self.limit {
+        self.least.offer(value, part);
+        if value < self.end() {
             self.found.push(Found { value, part });
         }
     }
@@ -71,14 +81,19 @@ impl Parts {
         least.0
     }
 
-    /// All parts with values below a limit, in no order.
-    pub(in crate::geometry) fn below(&self, p: Vec3, limit: f64) -> Vec<Found> {
-        let mut below = Below { limit, found: Vec::new() };
+    /// The same, alone where it is not finite, else with all parts less than `support` behind it, in no order.
+    /// Each part is asked once: asked twice, unions within unions would take twice as long with each level.
+    pub(in crate::geometry) fn near(&self, p: Vec3, support: f64) -> Vec<Found> {
+        let least = Least(Found { value: f64::INFINITY, part: usize::MAX });
+        let mut near = Near { least, support, found: Vec::new() };
         match &self.hierarchy {
-            Some(hierarchy) if p.is_finite() => self.search(hierarchy, p, &mut below),
-            _ => self.ask_all(p, &mut below),
+            Some(hierarchy) if p.is_finite() => self.search(hierarchy, p, &mut near),
+            _ => self.ask_all(p, &mut near),
         }
-        below.found
+        let end = near.end();
+        near.found.retain(|f| f.value < end);
+        // What is too large for the support to count stands alone.
+        if near.found.is_empty() || !near.least.0.value.is_finite() { vec![near.least.0] } else { near.found }
     }
 
     /// Without a hierarchy.
@@ -137,8 +152,11 @@ impl<S: Sink> LeafDistance for SphereSearch<'_, S> {
     fn visit(&mut self, leaf: usize) -> f64 {
         let block = &self.blocks[leaf];
         let values = block.values(self.p);
-        for k in 0..WIDTH {
-            if values.0[k] <= self.sink.limit() && block.part[k] != u32::MAX {
+        let mut near = values.at_most(self.sink.limit());
+        while near != 0 {
+            let k = near.trailing_zeros() as usize & (WIDTH - 1);
+            near &= near - 1;
+            if block.part[k] != u32::MAX {
                 self.sink.offer(values.0[k], block.part[k] as usize);
             }
         }

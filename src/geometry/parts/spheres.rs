@@ -36,7 +36,9 @@ impl Block {
     /// The value of each.
     #[inline(always)]
     pub(super) fn values(&self, p: Vec3) -> F64x8 {
-        let [x, y, z] = [0, 1, 2].map(|axis| F64x8::splat(p[axis]) - self.center[axis]);
+        let x = F64x8::splat(p.x) - self.center[0];
+        let y = F64x8::splat(p.y) - self.center[1];
+        let z = F64x8::splat(p.z) - self.center[2];
         let squared = x * x + y * y + z * z;
         let mut is_common = true;
         for k in 0..WIDTH {

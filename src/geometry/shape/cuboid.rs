@@ -5,7 +5,7 @@ use super::support::numbers;
 use super::{Crossings, Facts, Shape};
 use crate::error::{Error, Result};
 use crate::geometry::build::finite;
-use crate::math::{Aabb, Vec3};
+use crate::math::{Aabb, Interval, Vec3};
 use crate::primitive::cuboid;
 
 pub(in crate::geometry) struct Cuboid(pub Aabb);
@@ -34,6 +34,16 @@ impl Shape for Cuboid {
         let size = self.0.lo.abs().max(self.0.hi.abs()).max_element();
         let unit = 16.0 * f64::EPSILON;
         Facts { rounding: (unit, unit * size), ..Facts::convex(self.0, size) }
+    }
+
+    /// The value rises with the excess over each pair of faces: least nearest to the middle, most at a corner.
+    fn range(&self, b: Aabb) -> Interval {
+        let nearest = self.0.center().clamp(b.lo, b.hi);
+        let lower = self.0.center().cmpge(b.center());
+        let (by_extent, fixed) = self.facts().rounding;
+        let error = by_extent * b.lo.abs().max(b.hi.abs()).max_element() + fixed;
+        let most = cuboid::value(self.0, Vec3::select(lower, b.lo, b.hi));
+        Interval::new(cuboid::value(self.0, nearest) - error, most + error)
     }
 
     fn crossings(&self, a: Vec3, b: Vec3) -> Crossings {

@@ -5,7 +5,7 @@ use super::support::{UNIT, numbers};
 use super::{Facts, Shape};
 use crate::error::Result;
 use crate::geometry::build::{direction, finite};
-use crate::math::{Aabb, Vec3};
+use crate::math::{Aabb, Interval, Vec3};
 
 pub(in crate::geometry) struct Plane {
     point: Vec3,
@@ -46,6 +46,14 @@ impl Shape for Plane {
         let (bounds, rest) = if exactly { self.half_spaces() } else { (Aabb::ALL, Aabb::ALL) };
         let size = self.point.abs().max_element();
         Facts { rest, reach_inward: f64::INFINITY, rounding: (UNIT, UNIT * size), ..Facts::convex(bounds, size) }
+    }
+
+    /// At the corners along the normal.
+    fn range(&self, b: Aabb) -> Interval {
+        let rising = self.normal.cmpgt(Vec3::ZERO);
+        let error = UNIT * (b.lo.abs().max(b.hi.abs()).max_element() + self.point.abs().max_element());
+        let (least, most) = (Vec3::select(rising, b.lo, b.hi), Vec3::select(rising, b.hi, b.lo));
+        Interval::new(self.value(least) - error, self.value(most) + error)
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {

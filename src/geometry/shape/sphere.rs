@@ -5,7 +5,7 @@ use super::support::{box_around, numbers};
 use super::{Crossings, Facts, Shape};
 use crate::error::Result;
 use crate::geometry::build::{finite, positive};
-use crate::math::Vec3;
+use crate::math::{Aabb, Interval, Vec3, length};
 use crate::primitive::sphere;
 
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +38,16 @@ impl Shape for Sphere {
             rounding: (unit, unit * (self.center.abs().max_element() + self.radius)),
             ..Facts::convex(box_around(self.center, reach, reach, 0.0), 0.0)
         }
+    }
+
+    /// From the nearest to the farthest point of the box.
+    fn range(&self, b: Aabb) -> Interval {
+        let (below, above) = (b.lo - self.center, b.hi - self.center);
+        let least = length(below.max(-above).max(Vec3::ZERO)) - self.radius;
+        let most = length(below.abs().max(above.abs())) - self.radius;
+        let (by_extent, fixed) = self.facts().rounding;
+        let error = by_extent * b.lo.abs().max(b.hi.abs()).max_element() + fixed;
+        Interval::new(least - error, most + error)
     }
 
     fn crossings(&self, a: Vec3, b: Vec3) -> Crossings {

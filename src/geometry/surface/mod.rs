@@ -13,7 +13,8 @@ pub(crate) use nearest::Nearest;
 use crate::bvh::Tree;
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
-use crate::primitive::triangle::{Prepared, V3};
+use crate::primitive::overlap::are_apart;
+use crate::primitive::triangle::{Prepared, RELATIVE_ERROR, V3};
 use crate::simd::lanes::{F64x8, WIDTH};
 
 /// Marks the unused lanes of a block.
@@ -156,6 +157,21 @@ impl Surface {
                 self.blocks[leaf].triangle.iter().filter(|&&t| t != NO_TRIANGLE).for_each(|&t| visit(t));
             }),
             None => (0..self.triangles.len() as u32).for_each(visit),
+        }
+    }
+}
+
+impl Surface {
+    /// Whether no triangle comes as near to a finite box as rounding.
+    pub(crate) fn misses(&self, b: Aabb) -> bool {
+        let extent = b.lo.abs().max(b.hi.abs()).max_element() + self.reach() + self.diagonal();
+        let room = Vec3::splat(4.0 * RELATIVE_ERROR * extent);
+        let near = Aabb::new(b.lo - room, b.hi + room);
+        let meets = |t: u32| !are_apart(self.corners(t), near);
+        match &self.tree {
+            Some(tree) => !tree
+                .any_overlapping(near, |leaf| self.blocks[leaf].triangle.iter().any(|&t| t != NO_TRIANGLE && meets(t))),
+            None => !(0..self.triangles.len() as u32).any(meets),
         }
     }
 }
