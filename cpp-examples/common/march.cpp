@@ -41,7 +41,8 @@ Marcher::Marcher(const embound::Geometry &g, double least_step, const embound::R
 }
 
 // What of a stretch lies in the box.
-Marcher::Stretch Marcher::within(const embound::Box &box, const embound::Point &start, const embound::Point &direction, Stretch stretch) {
+Marcher::Stretch Marcher::within(const embound::Box &box, const embound::Point &start, const embound::Point &direction,
+                                 Stretch stretch) {
     for (std::size_t d = 0; d < 3; ++d) {
         const double lo = box.lo[d] - start[d], hi = box.hi[d] - start[d];
         if (direction[d] == 0.0) {
@@ -76,9 +77,12 @@ double Marcher::skip(const embound::Point &start, const embound::Point &directio
     }
 }
 
-std::vector<Entry> Marcher::march(const std::vector<embound::Point> &starts, const embound::Point &direction, double reach) const {
+std::vector<Entry> Marcher::march(const std::vector<embound::Point> &starts, const embound::Point &direction,
+                                  double reach) const {
     const double lipschitz = g_.properties().lipschitz;
-    const auto step = [&](double value) { return std::isfinite(lipschitz) ? std::max(value / lipschitz, least_step_) : least_step_; };
+    const auto step = [&](double value) {
+        return std::isfinite(lipschitz) ? std::max(value / lipschitz, least_step_) : least_step_;
+    };
 
     std::vector<Entry> going, entries;
     std::vector<double> ends(starts.size());

@@ -18,7 +18,7 @@ struct Entry {
 };
 
 class Marcher {
-public:
+  public:
     // Parts of the body that are thinner along a ray than `least_step` may be missed.
     Marcher(const embound::Geometry &g, double least_step, const embound::Run &run);
 
@@ -26,7 +26,7 @@ public:
     // inside gets no entry.
     std::vector<Entry> march(const std::vector<embound::Point> &starts, const embound::Point &direction, double reach) const;
 
-private:
+  private:
     struct Stretch {
         double from, to;
     };

@@ -10,13 +10,11 @@
 #include <vector>
 
 class Random {
-public:
+  public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
 
     // In [lo, hi).
-    double uniform(double lo = 0.0, double hi = 1.0) {
-        return lo + (hi - lo) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-    }
+    double uniform(double lo = 0.0, double hi = 1.0) { return lo + (hi - lo) * (static_cast<double>(engine_() >> 11) * 0x1p-53); }
     // 0 to count - 1.
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(uniform() * static_cast<double>(count)); }
 
@@ -35,7 +33,7 @@ public:
         return points;
     }
 
-private:
+  private:
     std::mt19937_64 engine_;
 };
 

@@ -50,8 +50,8 @@ struct Surface {
     std::vector<double> open, lit; // to the surroundings, to the light; 0 to 1
 };
 
-Surface first_surface(const embound::Geometry &g, const Marcher &marcher, const std::vector<Point> &starts, const Point &direction,
-                      double reach, const embound::Run &run) {
+Surface first_surface(const embound::Geometry &g, const Marcher &marcher, const std::vector<Point> &starts,
+                      const Point &direction, double reach, const embound::Run &run) {
     const std::vector<Entry> entries = marcher.march(starts, direction, reach);
     std::vector<Point> a, b;
     for (const Entry &entry : entries) {
@@ -139,11 +139,13 @@ Image render(const embound::Geometry &g, const View &view, const Look &look, std
     }
     for (std::size_t i = 0; i < surface.ray.size(); ++i) {
         const double toward_light = std::max(0.0, dot(surface.normal[i], light)) * surface.lit[i];
-        const double sky = 0.5 + 0.5 * dot(surface.normal[i], camera.up), eye = std::max(0.0, dot(surface.normal[i], camera.toward));
+        const double sky = 0.5 + 0.5 * dot(surface.normal[i], camera.up),
+                     eye = std::max(0.0, dot(surface.normal[i], camera.toward));
         const double bright = (0.40 + 0.16 * sky + 0.12 * eye) * (0.45 + 0.55 * surface.open[i]) + 0.52 * toward_light;
         const auto which = static_cast<std::size_t>(surface.part[i] + 1);
         const Colour &own = look.colours[std::min(which, look.colours.size() - 1)];
-        image.pixels[surface.ray[i]] = bright <= 1.0 ? mix({0.02, 0.02, 0.05}, own, bright) : mix(own, {1.0, 1.0, 1.0}, bright - 1.0);
+        image.pixels[surface.ray[i]] =
+            bright <= 1.0 ? mix({0.02, 0.02, 0.05}, own, bright) : mix(own, {1.0, 1.0, 1.0}, bright - 1.0);
     }
     return shrunk(image);
 }

@@ -9,14 +9,18 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr std::size_t most_tries = 1000000;
 constexpr double gap = 1e-9; // left between balls, so that rounding brings none together
 
 class Cells {
-public:
+  public:
     explicit Cells(double widest) : n_(std::max<std::size_t>(1, static_cast<std::size_t>(1.0 / widest))), balls_(n_ * n_ * n_) {}
 
     bool is_free(const Ball &ball) const {
@@ -44,7 +48,7 @@ public:
         balls_[cell(ball.centre[0]) + n_ * (cell(ball.centre[1]) + n_ * cell(ball.centre[2]))].push_back(ball);
     }
 
-private:
+  private:
     std::size_t cell(double x) const { return std::min(static_cast<std::size_t>(x * static_cast<double>(n_)), n_ - 1); }
 
     std::size_t n_;
@@ -72,7 +76,12 @@ std::vector<Ball> pack(std::size_t count, double fraction, std::uint64_t seed) {
     for (const double relative : radii) {
         const double r = scale * relative;
         Ball ball{{}, r};
+        std::size_t tries = 0;
         do {
+            if (++tries > most_tries) {
+                throw std::runtime_error("no room was found for ball " + std::to_string(balls.size() + 1) + " of " +
+                                         std::to_string(count));
+            }
             ball.centre = random.in({{r, r, r}, {1.0 - r, 1.0 - r, 1.0 - r}});
         } while (!cells.is_free(ball));
         cells.add(ball);

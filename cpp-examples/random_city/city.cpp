@@ -12,9 +12,9 @@ using namespace embound;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr std::size_t plots = 21;       // along each side, one building each
-constexpr std::size_t survey = 101;     // heights along each side
-constexpr double relief = 45.0;         // of the hills
+constexpr std::size_t plots = 21;   // along each side, one building each
+constexpr std::size_t survey = 101; // heights along each side
+constexpr double relief = 45.0;     // of the hills
 
 // Noise read on a grid becomes a height field, as a survey of real ground would.
 Geometry make_terrain(std::uint64_t seed) {
@@ -51,7 +51,8 @@ Geometry building(Part kind, double x, double y, double half, double foot, doubl
     case block: return rounded_box({x, y, middle}, {half, narrow, 0.5 * tall}, 0.0, turned(angle));
     case rounded: return rounded_box({x, y, middle}, {half, narrow, 0.5 * tall}, 0.35 * narrow, turned(angle));
     case drum: return cylinder({x, y, foot}, {x, y, roof}, 0.9 * half);
-    case prismatic: return prism({x, y, foot}, {x, y, roof}, {1.0, angle, 0.0}, 3 + static_cast<std::int32_t>(random.below(6)), half);
+    case prismatic:
+        return prism({x, y, foot}, {x, y, roof}, {1.0, angle, 0.0}, 3 + static_cast<std::int32_t>(random.below(6)), half);
     default: return cone({x, y, roof}, {0.0, 0.0, -1.0}, tall, 2.0 * std::atan(half / tall) * 180.0 / pi);
     }
 }
@@ -77,7 +78,8 @@ City make_city(std::uint64_t seed) {
             const double x = pitch * (static_cast<double>(i) + random.uniform(0.45, 0.55));
             const double y = pitch * (static_cast<double>(j) + random.uniform(0.45, 0.55));
             const double off_centre = std::hypot(x - 0.5 * side, y - 0.5 * side) / (0.5 * side);
-            const double tall = 10.0 + 110.0 * std::exp(-4.0 * off_centre * off_centre) * random.uniform(0.15, 1.0) + 16.0 * random.uniform();
+            const double tall =
+                10.0 + 110.0 * std::exp(-4.0 * off_centre * off_centre) * random.uniform(0.15, 1.0) + 16.0 * random.uniform();
             const double half = pitch * random.uniform(0.24, 0.36);
             const double floor = ground_at(hills, x, y);
             const double draw = random.uniform();

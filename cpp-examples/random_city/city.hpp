@@ -9,10 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 
-constexpr double side = 1000.0;   // of the square it covers
-constexpr double margin = 25.0;   // of ground around and below that
-constexpr double bottom = -50.0;  // below every valley
-constexpr double sky = 200.0;     // above every roof
+constexpr double side = 1000.0;  // of the square it covers
+constexpr double margin = 25.0;  // of ground around and below that
+constexpr double bottom = -50.0; // below every valley
+constexpr double sky = 200.0;    // above every roof
 
 enum Part : std::int32_t { ground, block, rounded, drum, prismatic, conical, soil, part_count };
 constexpr std::array<const char *, part_count> part_names{"ground", "box", "rounded box", "cylinder", "prism", "cone", "soil"};

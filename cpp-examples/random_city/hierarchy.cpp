@@ -16,13 +16,17 @@ void add(Level &level, const embound::Point &lo) {
 
 } // namespace
 
-std::size_t Level::count(std::int32_t which) const { return static_cast<std::size_t>(std::count(side.begin(), side.end(), which)); }
+std::size_t Level::count(std::int32_t which) const {
+    return static_cast<std::size_t>(std::count(side.begin(), side.end(), which));
+}
 
 std::vector<Level> make_hierarchy(const embound::Geometry &g, const embound::Box &domain, double width, std::size_t levels,
                                   const embound::Run &run) {
     std::vector<Level> made(1);
     made[0].width = width;
-    const auto along = [&](std::size_t d) { return static_cast<std::size_t>(std::lround((domain.hi[d] - domain.lo[d]) / width)); };
+    const auto along = [&](std::size_t d) {
+        return static_cast<std::size_t>(std::lround((domain.hi[d] - domain.lo[d]) / width));
+    };
     for (std::size_t k = 0; k < along(2); ++k) {
         for (std::size_t j = 0; j < along(1); ++j) {
             for (std::size_t i = 0; i < along(0); ++i) {
@@ -38,7 +42,8 @@ std::vector<Level> make_hierarchy(const embound::Geometry &g, const embound::Box
             for (std::size_t b = 0; b < made[l].side.size(); ++b) {
                 for (std::size_t octant = 0; made[l].side[b] == 0 && octant < 8; ++octant) {
                     const embound::Point &lo = made[l].lo[b];
-                    add(finer, {lo[0] + static_cast<double>(octant & 1) * finer.width, lo[1] + static_cast<double>(octant >> 1 & 1) * finer.width,
+                    add(finer, {lo[0] + static_cast<double>(octant & 1) * finer.width,
+                                lo[1] + static_cast<double>(octant >> 1 & 1) * finer.width,
                                 lo[2] + static_cast<double>(octant >> 2) * finer.width});
                 }
             }

@@ -21,14 +21,20 @@
 namespace {
 
 constexpr embound::Box air{{0.0, 0.0, bottom}, {side, side, sky}};
-constexpr double coarsest = 125.0;       // width of a box
+constexpr double coarsest = 125.0; // width of a box
 constexpr std::size_t levels = 4;
 constexpr std::size_t cells_per_box = 6;
 constexpr double volume_tolerance = 0.01;
 constexpr std::size_t lines_per_side = 400;
 
-const Look look{{{0.80, 0.78, 0.72}, {0.56, 0.66, 0.42}, {0.82, 0.80, 0.76}, {0.90, 0.68, 0.42}, {0.42, 0.62, 0.80},
-                 {0.79, 0.45, 0.40}, {0.62, 0.50, 0.72}, {0.66, 0.54, 0.42}}};
+const Look look{{{0.80, 0.78, 0.72},
+                 {0.56, 0.66, 0.42},
+                 {0.82, 0.80, 0.76},
+                 {0.90, 0.68, 0.42},
+                 {0.42, 0.62, 0.80},
+                 {0.79, 0.45, 0.40},
+                 {0.62, 0.50, 0.72},
+                 {0.66, 0.54, 0.42}}};
 
 // Whatever a box says must hold at points within it.
 void check_boxes(const embound::Geometry &city, const Level &level, Random &random) {
@@ -48,7 +54,8 @@ void refine(const embound::Geometry &city, Random &random, const embound::Pool &
     std::size_t boxes = 0;
     std::printf("hierarchy     %8s %8s %8s %8s %8s\n", "width", "boxes", "inside", "outside", "cut");
     for (const Level &level : hierarchy) {
-        std::printf("              %8g %8zu %8zu %8zu %8zu\n", level.width, level.side.size(), level.count(-1), level.count(1), level.count(0));
+        std::printf("              %8g %8zu %8zu %8zu %8zu\n", level.width, level.side.size(), level.count(-1), level.count(1),
+                    level.count(0));
         boxes += level.side.size();
         check_boxes(city, level, random);
     }
@@ -61,11 +68,14 @@ void refine(const embound::Geometry &city, Random &random, const embound::Pool &
         hierarchy.pop_back();
         coarse = fill(city, hierarchy, cells_per_box, pool);
     });
-    const double spacing = 0.5 * hierarchy.back().width / cells_per_box, all = side / spacing * (side / spacing) * ((sky - bottom) / spacing);
-    std::printf("level set     %.1f million nodes in %s, %.1f%% of a uniform grid of spacing %g\n", 1e-6 * static_cast<double>(fine.nodes + coarse.nodes),
-                in_words(fill_time).c_str(), 100.0 * static_cast<double>(fine.nodes) / all, spacing);
+    const double spacing = 0.5 * hierarchy.back().width / cells_per_box,
+                 all = side / spacing * (side / spacing) * ((sky - bottom) / spacing);
+    std::printf("level set     %.1f million nodes in %s, %.1f%% of a uniform grid of spacing %g\n",
+                1e-6 * static_cast<double>(fine.nodes + coarse.nodes), in_words(fill_time).c_str(),
+                100.0 * static_cast<double>(fine.nodes) / all, spacing);
     const double off = (coarse.volume - fine.volume) / fine.volume;
-    std::printf("volume        %.6g with spacing %g, %.6g with %g: %+.3f%%\n", fine.volume, spacing, coarse.volume, 2.0 * spacing, 100.0 * off);
+    std::printf("volume        %.6g with spacing %g, %.6g with %g: %+.3f%%\n", fine.volume, spacing, coarse.volume, 2.0 * spacing,
+                100.0 * off);
     require(std::abs(off) <= volume_tolerance, "the volumes of the two levels are too far apart");
 }
 
@@ -99,8 +109,8 @@ void map_roofs(const City &city, const embound::Pool &pool) {
         const Colour own = mix(look.colours[static_cast<std::size_t>(roof.part[i] + 1)], {1.0, 1.0, 1.0}, 0.6 * haze);
         map.pixels[i] = mix({0.02, 0.02, 0.05}, own, bright);
     }
-    std::printf("roofs         %zu^2 vertical lines in %s: %.0f ns a line; highest %.1f m\n", lines_per_side, in_words(time).c_str(),
-                1e9 * time / static_cast<double>(above.size()), highest);
+    std::printf("roofs         %zu^2 vertical lines in %s: %.0f ns a line; highest %.1f m\n", lines_per_side,
+                in_words(time).c_str(), 1e9 * time / static_cast<double>(above.size()), highest);
     for (std::size_t p = 0; p < soil; ++p) {
         std::printf("              %-12s %4zu, %5.1f%% of the area\n", part_names[p], city.count[p],
                     100.0 * static_cast<double>(seen[p]) / static_cast<double>(above.size()));
@@ -110,7 +120,7 @@ void map_roofs(const City &city, const embound::Pool &pool) {
 
 void draw(const City &city, const embound::Pool &pool) {
     const double time = seconds([&] {
-        const View view{{0.5 * side, 0.5 * side, -30.0}, {0.9, -1.5, 1.15}, 0.72 * side, side};
+        const View view{{0.5 * side, 0.5 * side, -30.0}, {0.9, -1.5, 1.15}, 0.74 * side, side};
         write_png(in_demo_out("random_city.png"), render(city.body, view, look, 900, 560, pool));
         write_slice(in_demo_out("random_city_slice.png"), city.body, make_grid(air, 1.0, 2), {1, 0.5 * side}, pool);
     });
@@ -126,8 +136,8 @@ void random_city(int argc, char **argv) {
     const double time = seconds([&] { city = make_city(seed); });
     const embound::Properties properties = city.body.properties();
     std::printf("city          seed %llu: %llu bodies in %s, %.1f kB; values are a %s\n", static_cast<unsigned long long>(seed),
-                static_cast<unsigned long long>(properties.primitives), in_words(time).c_str(), 1e-3 * static_cast<double>(properties.bytes),
-                in_words(properties.kind));
+                static_cast<unsigned long long>(properties.primitives), in_words(time).c_str(),
+                1e-3 * static_cast<double>(properties.bytes), in_words(properties.kind));
     Random random(seed);
     refine(city.body, random, pool);
     map_roofs(city, pool);

@@ -29,8 +29,8 @@ std::string text(const embound::Point &p) {
 void check_probes(const Tile &tile) {
     for (const Probe &probe : tile.probes) {
         const double value = tile.body(probe.at[0], probe.at[1], probe.at[2]);
-        require(std::abs(value - probe.value) <= rounding,
-                tile.name + ": " + std::to_string(value) + " instead of " + std::to_string(probe.value) + " at " + text(probe.at));
+        require(std::abs(value - probe.value) <= rounding, tile.name + ": " + std::to_string(value) + " instead of " +
+                                                               std::to_string(probe.value) + " at " + text(probe.at));
     }
 }
 

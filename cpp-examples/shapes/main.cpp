@@ -16,7 +16,7 @@
 
 namespace {
 
-constexpr std::size_t columns = 6, tile_width = 192, tile_height = 156, caption_height = 26, margin = 10;
+constexpr std::size_t columns = 6, tile_width = 200, tile_height = 156, caption_height = 26, margin = 10;
 constexpr Colour paper{1.0, 1.0, 1.0}, ink{0.16, 0.17, 0.20};
 constexpr Colour blue{0.26, 0.52, 0.78}, orange{0.93, 0.53, 0.24}, green{0.30, 0.62, 0.47}, pale{0.93, 0.90, 0.82};
 
@@ -75,7 +75,8 @@ void shapes(int, char **) {
             std::printf("%-20s %-12s %8.3g %8.4f %8s %10zu\n", tile.name.c_str(), in_words(properties.kind), properties.lipschitz,
                         measured.volume, volume_in_words(tile.volume).c_str(), measured.cut_boxes);
             drawing += seconds([&] {
-                sheet.paste(picture(tile, group.colour, pool), margin + i / columns * step, margin + i % columns * (tile_width + margin));
+                sheet.paste(picture(tile, group.colour, pool), margin + i / columns * step,
+                            margin + i % columns * (tile_width + margin));
             });
             ++i;
         }
@@ -87,7 +88,6 @@ void shapes(int, char **) {
 }
 
 } // namespace
-
 
 int main(int argc, char **argv) {
     if (argc > 1) {
