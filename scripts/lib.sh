@@ -151,7 +151,7 @@ install_package() { # install_package PREFIX: afresh
     rm -rf "$1" && cmake --install "$package_build" --prefix "$1"
 }
 
-build_examples() { # build_examples PREFIX BUILD: as a solver would, through find_package
+build_examples() { # build_examples PREFIX BUILD [TARGET]: as a solver would, through find_package
     cmake -S "$root/cpp-examples" -B "$2" "-Dembound_DIR=$1/lib/cmake/embound" &&
-        cmake --build "$2" -j "$jobs"
+        cmake --build "$2" -j "$jobs" --target "${3:-all}"
 }

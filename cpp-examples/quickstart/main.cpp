@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // From a mesh to what a solver needs of it: quickstart [mesh]
-#include "grid.hpp"
 #include "part.hpp"
-#include "picture.hpp"
+
+#include "grid.hpp"
 #include "progress.hpp"
+#include "report.hpp"
+#include "slice.hpp"
 #include "volume.hpp"
 #include "vti.hpp"
 
 #include <embound.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <random>
-#include <stdexcept>
 #include <string>
 
 namespace {
@@ -28,26 +28,9 @@ constexpr double domain_over_bounds = 1.25;
 constexpr double volume_tolerance = 0.01;
 constexpr std::size_t compared_points = 1000;
 
-// Seconds that `work` takes.
-template <class Work> double seconds(Work &&work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-[[noreturn]] void fail(const std::string &message) { throw std::runtime_error(message); }
-
 const char *yes(int32_t flag) { return flag != 0 ? "yes" : "no"; }
 
-// A time with three figures.
-std::string in_words(double time) {
-    char text[32];
-    const bool small = time < 1.0;
-    std::snprintf(text, sizeof text, "%.3g %s", small ? 1e3 * time : time, small ? "ms" : "s");
-    return text;
-}
-
-embound::Mesh load(int argc, char **argv, const std::filesystem::path &out) {
+embound::Mesh load(int argc, char **argv) {
     if (argc > 1) {
         embound::Mesh mesh = embound::Mesh::read(argv[1]);
         std::printf("mesh          %s\n", argv[1]);
@@ -55,7 +38,7 @@ embound::Mesh load(int argc, char **argv, const std::filesystem::path &out) {
     }
     const Part part = make_bracket();
     embound::Mesh mesh = embound::Mesh::from_triangles(part.xyz, part.indices);
-    const std::string path = (out / "bracket.stl").string();
+    const std::string path = in_demo_out("bracket.stl");
     mesh.write(path);
     const double volume = mesh.report().volume;
     if (!(std::abs(volume - part.volume) <= 1e-12 * part.volume)) {
@@ -146,14 +129,9 @@ void compare_volumes(const Grid &grid, double exact) {
 }
 
 void quickstart(int argc, char **argv) {
-    const std::uint32_t version = emb_version_number();
     const embound::Pool pool;
-    std::printf("embound       %u.%u.%u, %s instructions, %zu thread%s\n", version / 10000, version / 100 % 100, version % 100,
-                emb_isa(), pool.width(), pool.width() == 1 ? "" : "s");
-    const std::filesystem::path out = "demo-out";
-    std::filesystem::create_directories(out);
-
-    const embound::Mesh mesh = load(argc, argv, out);
+    print_library(pool);
+    const embound::Mesh mesh = load(argc, argv);
     const emb_mesh_report report = mesh.report();
     print(report);
 
@@ -177,15 +155,15 @@ void quickstart(int argc, char **argv) {
 
     classify(g, grid, pool);
     compare_with_brute_force(mesh, g, grid);
-    const std::string stem = (out / (argc > 1 ? std::filesystem::path(argv[1]).stem() : "bracket")).string();
+    const std::string stem = in_demo_out(argc > 1 ? std::filesystem::path(argv[1]).stem().string() : "bracket");
     write_vti(stem + ".vti", grid);
     std::printf("written       %s.vti: the level set, for ParaView\n", stem.c_str());
     const Slice slice = best_slice(grid);
     Legend legend{};
     const double picture_time = seconds([&] {
         Progress progress("picture");
-        legend = write_picture(stem + ".png", g, grid, slice,
-                               embound::Run(pool).progress([&](double fraction) { progress.tell(fraction); }));
+        legend = write_slice(stem + ".png", g, grid, slice,
+                             embound::Run(pool).progress([&](double fraction) { progress.tell(fraction); }));
     });
     std::printf("              %s.png: %zu x %zu pixels at %c = %.6g, a contour every %g, in %s\n", stem.c_str(), legend.width,
                 legend.height, "xyz"[slice.axis], slice.at, legend.line_spacing, in_words(picture_time).c_str());
@@ -199,18 +177,5 @@ int main(int argc, char **argv) {
         std::fprintf(stderr, "usage: quickstart [mesh]\n");
         return 2;
     }
-    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // each line as it comes, also into a pipe
-    try {
-        quickstart(argc, argv);
-    } catch (const embound::Error &error) {
-        std::fprintf(stderr, "quickstart: %s\n", error.what());
-        if (error.status() == EMB_ERROR_TOPOLOGY) {
-            std::fprintf(stderr, "quickstart: the mesh cannot be given a sign: only a closed surface has an inside\n");
-        }
-        return 1;
-    } catch (const std::exception &error) {
-        std::fprintf(stderr, "quickstart: %s\n", error.what());
-        return 1;
-    }
-    return 0;
+    return run_example("quickstart", quickstart, argc, argv);
 }

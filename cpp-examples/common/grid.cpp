@@ -21,6 +21,23 @@ Grid make_grid(const embound::Box &box, double factor, std::size_t n) {
     return grid;
 }
 
+void sample(Grid &grid, const embound::Geometry &g, const embound::Run &run) {
+    if (g.properties().kind != embound::Kind::SignOnly) {
+        grid.values = g.fill(grid.lattice(), embound::FillMode::Exact, run);
+        return;
+    }
+    std::vector<embound::Point> points;
+    points.reserve(grid.n(0) * grid.n(1) * grid.n(2));
+    for (const double z : grid.nodes[2]) {
+        for (const double y : grid.nodes[1]) {
+            for (const double x : grid.nodes[0]) {
+                points.push_back({x, y, z});
+            }
+        }
+    }
+    grid.values = g.values(points, run);
+}
+
 Blocks make_blocks(const Grid &grid, std::size_t blocks) {
     Blocks made;
     const auto first = [&](std::size_t axis, std::size_t b) { return b * (grid.n(axis) - 1) / blocks; };

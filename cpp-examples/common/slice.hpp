@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // A picture of the distance in a plane.
-#ifndef QUICKSTART_PICTURE_HPP
-#define QUICKSTART_PICTURE_HPP
+#ifndef EXAMPLES_SLICE_HPP
+#define EXAMPLES_SLICE_HPP
 
 #include "grid.hpp"
 
@@ -24,10 +24,10 @@ struct Legend {
 };
 
 // Writes a PNG of the distance over the grid's extent, asked of the geometry at each pixel: blue
-// inside, orange outside, darker with distance (each side by its own largest), iso-lines of the
+// inside, orange outside, stronger with distance (each side by its own largest), iso-lines of the
 // distance, every fifth stronger, and the surface in black. Throws std::runtime_error where the
 // file cannot be written.
-Legend write_picture(const std::string &path, const embound::Geometry &g, const Grid &grid, const Slice &slice,
-                     const embound::Run &run);
+Legend write_slice(const std::string &path, const embound::Geometry &g, const Grid &grid, const Slice &slice,
+                   const embound::Run &run);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // A level set for ParaView.
-#ifndef QUICKSTART_VTI_HPP
-#define QUICKSTART_VTI_HPP
+#ifndef EXAMPLES_VTI_HPP
+#define EXAMPLES_VTI_HPP
 
 #include "grid.hpp"
 

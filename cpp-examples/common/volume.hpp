@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // The volume that a level set encloses.
-#ifndef QUICKSTART_VOLUME_HPP
-#define QUICKSTART_VOLUME_HPP
+#ifndef EXAMPLES_VOLUME_HPP
+#define EXAMPLES_VOLUME_HPP
 
 #include "grid.hpp"
 

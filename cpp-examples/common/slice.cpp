@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // Lines are drawn from the values alone: a pixel's distance from an iso-line is, to first order, the
 // difference of the values over the gradient's length, so they are smooth at any angle.
-#include "picture.hpp"
+#include "slice.hpp"
 
-#include <png.h>
+#include "image.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace {
 
 constexpr std::size_t longest_side = 1200; // in pixels
 constexpr double most_lines = 24.0;        // iso-lines between the surface and the farthest pixel
 
-using Colour = std::array<double, 3>;
 constexpr Colour black{0.05, 0.05, 0.06};
-
-Colour mix(const Colour &a, const Colour &b, double t) {
-    return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
-}
 
 // Pale at the surface, strong at t = 1.
 Colour shade(bool inside, double t) {
@@ -30,7 +24,8 @@ Colour shade(bool inside, double t) {
     return t < 0.5 ? mix(ramp[0], ramp[1], 2.0 * t) : mix(ramp[1], ramp[2], 2.0 * t - 1.0);
 }
 
-struct Image {
+// The distance in a plane.
+struct Sheet {
     std::size_t width = 0, height = 0;
     double pixel = 0.0;         // its side, in the unit of length
     std::vector<double> values; // row by row from the top
@@ -74,45 +69,44 @@ std::vector<double> pixel_centres(const std::vector<double> &nodes, double pixel
 
 // The distance at each pixel: one fill of a lattice that is one point thick, through strides that
 // put the largest coordinate in the top row.
-Image sample(const embound::Geometry &g, const Grid &grid, const Slice &slice, const embound::Run &run) {
+Sheet sample(const embound::Geometry &g, const Grid &grid, const Slice &slice, const embound::Run &run) {
     std::size_t across = (slice.axis + 1) % 3, up = (slice.axis + 2) % 3;
     const auto extent = [&](std::size_t axis) { return grid.nodes[axis].back() - grid.nodes[axis].front(); };
     if (extent(across) < extent(up)) {
         std::swap(across, up);
     }
-    Image image;
-    image.pixel = extent(across) / static_cast<double>(longest_side);
-    image.width = longest_side;
-    image.height = static_cast<std::size_t>(std::max(1.0, std::round(extent(up) / image.pixel)));
-    image.values.resize(image.width * image.height);
+    Sheet sheet;
+    sheet.pixel = extent(across) / static_cast<double>(longest_side);
+    sheet.width = longest_side;
+    sheet.height = static_cast<std::size_t>(std::max(1.0, std::round(extent(up) / sheet.pixel)));
+    sheet.values.resize(sheet.width * sheet.height);
 
     std::array<std::vector<double>, 3> axes;
-    axes[across] = pixel_centres(grid.nodes[across], image.pixel, image.width);
-    axes[up] = pixel_centres(grid.nodes[up], image.pixel, image.height);
+    axes[across] = pixel_centres(grid.nodes[across], sheet.pixel, sheet.width);
+    axes[up] = pixel_centres(grid.nodes[up], sheet.pixel, sheet.height);
     axes[slice.axis] = {slice.at};
 
-    const auto row = static_cast<std::ptrdiff_t>(image.width);
+    const auto row = static_cast<std::ptrdiff_t>(sheet.width);
     std::array<std::ptrdiff_t, 3> stride{};
     stride[across] = 1;
     stride[up] = -row;
-    stride[slice.axis] = row * static_cast<std::ptrdiff_t>(image.height);
-    double *const last_row = image.values.data() + row * static_cast<std::ptrdiff_t>(image.height - 1);
+    stride[slice.axis] = row * static_cast<std::ptrdiff_t>(sheet.height);
+    double *const last_row = sheet.values.data() + row * static_cast<std::ptrdiff_t>(sheet.height - 1);
     g.fill(embound::Lattice(axes[0], axes[1], axes[2]), embound::Array(last_row, stride), embound::FillMode::Exact, run);
-    return image;
+    return sheet;
 }
 
-std::vector<unsigned char> paint(const Image &image, double line_spacing) {
+Image paint(const Sheet &sheet, double line_spacing) {
     double deepest = 0.0, farthest = 0.0;
-    for (const double value : image.values) {
+    for (const double value : sheet.values) {
         deepest = std::max(deepest, -value);
         farthest = std::max(farthest, value);
     }
-    std::vector<unsigned char> rgb;
-    rgb.reserve(3 * image.values.size());
-    for (std::size_t row = 0; row < image.height; ++row) {
-        for (std::size_t column = 0; column < image.width; ++column) {
-            const double value = image.at(row, column);
-            const double slope = image.slope(row, column);
+    Image image(sheet.width, sheet.height, black);
+    for (std::size_t row = 0; row < sheet.height; ++row) {
+        for (std::size_t column = 0; column < sheet.width; ++column) {
+            const double value = sheet.at(row, column);
+            const double slope = sheet.slope(row, column);
             const bool inside = value <= 0.0;
             Colour colour = shade(inside, inside ? -value / std::max(deepest, slope) : value / std::max(farthest, slope));
             const double line = std::round(value / line_spacing);
@@ -121,13 +115,10 @@ std::vector<unsigned char> paint(const Image &image, double line_spacing) {
                 const double off = (value - line * line_spacing) / slope;
                 colour = mix(colour, black, (strong ? 0.5 : 0.25) * coverage(off, strong ? 1.6 : 1.0));
             }
-            colour = mix(colour, black, coverage(value / slope, 3.0));
-            for (const double channel : colour) {
-                rgb.push_back(static_cast<unsigned char>(std::lround(255.0 * channel)));
-            }
+            image.at(row, column) = mix(colour, black, coverage(value / slope, 3.0));
         }
     }
-    return rgb;
+    return image;
 }
 
 } // namespace
@@ -150,23 +141,14 @@ Slice best_slice(const Grid &grid) {
     return {axis, grid.nodes[axis][static_cast<std::size_t>(deepest - depth.begin())]};
 }
 
-Legend write_picture(const std::string &path, const embound::Geometry &g, const Grid &grid, const Slice &slice,
-                     const embound::Run &run) {
-    const Image image = sample(g, grid, slice, run);
+Legend write_slice(const std::string &path, const embound::Geometry &g, const Grid &grid, const Slice &slice,
+                   const embound::Run &run) {
+    const Sheet sheet = sample(g, grid, slice, run);
     double farthest = 0.0;
-    for (const double value : image.values) {
+    for (const double value : sheet.values) {
         farthest = std::max(farthest, std::abs(value));
     }
     const double line_spacing = nice_number(farthest / most_lines);
-    const std::vector<unsigned char> rgb = paint(image, line_spacing);
-
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.width);
-    png.height = static_cast<png_uint_32>(image.height);
-    png.format = PNG_FORMAT_RGB;
-    if (png_image_write_to_file(&png, path.c_str(), 0, rgb.data(), 0, nullptr) == 0) {
-        throw std::runtime_error(path + ": " + png.message);
-    }
-    return {image.width, image.height, line_spacing};
+    write_png(path, paint(sheet, line_spacing));
+    return {sheet.width, sheet.height, line_spacing};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // One line on stderr that says how far a long call is.
-#ifndef QUICKSTART_PROGRESS_HPP
-#define QUICKSTART_PROGRESS_HPP
+#ifndef EXAMPLES_PROGRESS_HPP
+#define EXAMPLES_PROGRESS_HPP
 
 #include <chrono>
 #include <string>

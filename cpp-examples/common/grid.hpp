@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // The solver's side of a level set: node coordinates, computed once, and a value at each node.
-#ifndef QUICKSTART_GRID_HPP
-#define QUICKSTART_GRID_HPP
+#ifndef EXAMPLES_GRID_HPP
+#define EXAMPLES_GRID_HPP
 
 #include <embound.hpp>
 
@@ -22,6 +22,10 @@ struct Grid {
 
 // `n` nodes a side over `factor` times the box, about its centre.
 Grid make_grid(const embound::Box &box, double factor, std::size_t n);
+
+// The values of a body at the nodes. A fill refuses a body of which only the sign is known, since others
+// would take the magnitude for a distance; between neighbouring nodes it still says where the surface is.
+void sample(Grid &grid, const embound::Geometry &g, const embound::Run &run);
 
 // Closed boxes of nodes that cover the grid, `blocks` a side; neighbours share a layer of nodes.
 struct Blocks {
