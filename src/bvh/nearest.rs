@@ -4,7 +4,7 @@
 //! the brute-force one to the bit.
 
 use super::{LEAF, Node, Tree};
-use crate::math::{Vec3, f32_above};
+use crate::math::Vec3;
 use crate::simd::lanes::{F32x8, I32x8, WIDTH};
 use crate::simd::prefetch;
 
@@ -132,9 +132,11 @@ impl<const STACK: usize> Descent<STACK> {
     fn finish<const SIGNED: bool>(&mut self, tree: &Tree, start: f64, leaf: &mut impl LeafDistance) {
         let room = self.room;
         let limit = |distance: f64| {
-            let distance = distance * tree.scale + room;
+            // Minus infinity, where nothing is of interest any more, has no key.
+            let distance = (distance * tree.scale).max(-1e15) + room;
             let key = distance * distance.abs();
-            order(f32_above(key + key.abs() * 1e-6).to_bits() as i32) | LANE
+            // Rounded to nearest: the room above is larger by far.
+            order(((key + key.abs() * 1e-6) as f32).to_bits() as i32) | LANE
         };
         let mut bound = limit(start);
         loop {

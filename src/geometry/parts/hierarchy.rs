@@ -98,6 +98,9 @@ impl Hierarchy {
     /// `extent` from the origin, is above `value`.
     #[inline(always)]
     pub(super) fn bound(&self, value: f64, extent: f64) -> f64 {
+        if value == f64::NEG_INFINITY {
+            return value;
+        }
         let margin = self.rounding.0 * extent + self.rounding.1;
         let reach = value + margin;
         // Outside, a value d says that the body may be spread * d away; inside, a value is no lower than the
