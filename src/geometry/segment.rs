@@ -116,27 +116,6 @@ impl Geometry {
         self.is_inside(at(t - 1e-6)) != self.is_inside(at(t + 1e-6))
     }
 
-    /// A crossing between ends on opposite sides, by halving until nothing is left to halve: the last
-    /// double before the side changes, seen from the outside end.
-    pub(crate) fn bisect(&self, a: Vec3, b: Vec3, inside_first: bool) -> f64 {
-        self.bisect_between(a, b, (0.0, 1.0), inside_first)
-    }
-
-    /// The same between two places of the segment.
-    pub(super) fn bisect_between(&self, a: Vec3, b: Vec3, (mut lo, mut hi): (f64, f64), inside_first: bool) -> f64 {
-        loop {
-            let middle = 0.5 * (lo + hi);
-            if middle <= lo || middle >= hi || hi - lo <= f64::EPSILON {
-                return if inside_first { lo } else { hi };
-            }
-            if self.is_inside(a + (b - a) * middle) == inside_first {
-                lo = middle;
-            } else {
-                hi = middle;
-            }
-        }
-    }
-
     /// The normal and labels at a crossing that was bisected.
     pub(crate) fn bisected_event(&self, p: Vec3, t: f64, change: Change) -> Event {
         let near = self.closest(p);

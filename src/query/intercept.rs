@@ -161,7 +161,7 @@ fn ordered(g: &Geometry, low: Vec3, high: Vec3) -> Result<Intercept> {
         _ if values.0 == 0.0 => (g.bisected_event(low, 0.0, change), 1),
         _ if values.1 == 0.0 => (g.bisected_event(high, 1.0, change), 1),
         _ => {
-            let t = g.bisect(low, high, inside.0);
+            let t = g.bisect(low, high);
             (g.bisected_event(low + (high - low) * t, t, change), 3)
         }
     };

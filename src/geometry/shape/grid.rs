@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A function sampled on a tensor grid: trilinear between the samples, constant beyond the grid (the value at
-//! its nearest point). In a cell each partial derivative lies between those of four edges, which bounds the
-//! Lipschitz constant; the projection onto the grid's box does not stretch, so the bound holds everywhere.
+//! its nearest point). In a cell each partial derivative is linear along each axis, so the square of the slope
+//! is convex along each and greatest at a corner, which gives the Lipschitz constant; the projection onto the
+//! grid's box does not stretch, so it holds everywhere.
 
 use super::axis::{Axis, Place, between};
 use super::height_field::{length_above, ordered, slope_above};
@@ -53,13 +54,12 @@ impl Grid {
     fn greatest_slope(&self) -> f64 {
         let steepest = |cell: [usize; 3]| {
             let v = self.corners(cell);
-            let along = |k: usize| {
-                let edges = (0..8).filter(|c| c & (1 << k) == 0);
-                let slopes = edges.map(|c| slope_above(v[c], v[c | 1 << k], self.axes[k].length(cell[k])));
-                slopes.fold(0.0, f64::max)
+            let at_corner = |c: usize| {
+                let along = |k: usize| slope_above(v[c], v[c ^ 1 << k], self.axes[k].length(cell[k]));
+                length_above(along(0), along(1), along(2))
             };
-            let slopes = [along(0), along(1), along(2)];
-            if slopes == [0.0; 3] { 0.0 } else { length_above(slopes[0], slopes[1], slopes[2]) }
+            let is_flat = v.iter().all(|x| *x == v[0]);
+            if is_flat { 0.0 } else { (0..8).map(at_corner).fold(0.0, f64::max) }
         };
         self.cells().map(steepest).fold(0.0, f64::max)
     }

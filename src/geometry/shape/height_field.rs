@@ -68,16 +68,18 @@ impl HeightField {
         if field.secant < 1e150 { Ok(field) } else { Err(Error::invalid("heights: a slope is above 1e150")) }
     }
 
-    /// In a patch each partial derivative lies between the slopes of two edges.
+    /// In a patch each partial derivative is linear along the other axis: the slope is greatest at a corner.
     fn greatest_secant(&self) -> f64 {
         let mut secant = 1.0f64;
         for j in 0..self.axes[1].cells() {
             for i in 0..self.axes[0].cells() {
                 let ([a, b], [c, d]) = self.corners(i, j);
                 let (dx, dy) = (self.axes[0].length(i), self.axes[1].length(j));
-                let along_x = slope_above(a, b, dx).max(slope_above(c, d, dx));
-                let along_y = slope_above(a, c, dy).max(slope_above(b, d, dy));
-                secant = secant.max(length_above(1.0, along_x, along_y));
+                let along_x = [slope_above(a, b, dx), slope_above(c, d, dx)];
+                let along_y = [slope_above(a, c, dy), slope_above(b, d, dy)];
+                for (x, y) in along_x.iter().flat_map(|x| along_y.iter().map(move |y| (*x, *y))) {
+                    secant = secant.max(length_above(1.0, x, y));
+                }
             }
         }
         secant
