@@ -8,6 +8,7 @@ mod classify;
 mod closest;
 mod fingerprint;
 mod level;
+mod linear;
 mod map;
 mod node;
 mod parts;
