@@ -985,7 +985,10 @@ emb_status emb_geom_elongate(const emb_geom *g,
                              const double extent[3],
                              emb_geom **out_geom);
 
-// The body twisted about the z axis by `degrees` a unit of height, right-handed. EMB_SIGN_ONLY. O(1), shares g.
+// The body twisted about the z axis by `degrees` a unit of height, right-handed. A twist stretches the more the
+// further out: of a body within bounds the value is divided by the most by which they are stretched, and beyond them is
+// at least the distance to them, so that it is a lower bound of the distance where g's value is 1-Lipschitz; of others
+// EMB_SIGN_ONLY, and the value g's own. O(1), shares g.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
 emb_status emb_geom_twist(const emb_geom *g, double degrees, emb_geom **out_geom);
 

@@ -101,8 +101,7 @@ void csg(int argc, char **argv) {
     const double v_drilled = bench.measure("drilled", drilled);
     const double v_sharp = bench.measure("sharp boss", embound::unite(drilled, tools.boss));
     const double v_bossed = bench.measure("boss, fillet", bossed);
-    // A twist bends space by more the further out it is: of what it makes only the sign counts, and of all that is
-    // made with it. Boxes are still classified and crossings found.
+    // A twist stretches the more the further out: the value is divided by the most within the tool's bounds.
     const double v_engraved = bench.measure("engraved", engraved);
     const double v_half = bench.measure("one half", half);
     const double v_other = bench.measure("other half", other_half);

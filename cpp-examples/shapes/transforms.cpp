@@ -49,7 +49,7 @@ std::vector<Tile> transforms() {
         {"complement", complement(ball), Kind::Exact, 8.0 - volume_of::ball(0.7), {{{0.0, 0.0, 0.0}, 0.7}}, true},
         {"blur", blur(scale(letter, 1.4), 0.12, 0.5), Kind::LowerBound, unknown, {}},
         {"mollify", mollify(scale(letter, 1.4), 0.12, 3), Kind::LowerBound, unknown, {}},
-        {"twist", twist(column, 60.0), Kind::SignOnly, 0.8 * 0.8 * 1.8, {{{0.0, 0.0, 0.0}, -0.4}}},
+        {"twist", twist(column, 60.0), Kind::LowerBound, 0.8 * 0.8 * 1.8, {}},
         {"slice",
          slice(ring, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}),
          Kind::LowerBound,

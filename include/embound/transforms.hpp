@@ -74,7 +74,7 @@ inline Geometry elongate(const Geometry &g, const Point &extent) {
     return detail::made([&](emb_geom **out) { return emb_geom_elongate(g.get(), extent.data(), out); });
 }
 
-/// Twisted about the z axis by `degrees` a unit of height.
+/// Twisted about the z axis by `degrees` a unit of height; a lower bound of the distance for bodies within bounds.
 inline Geometry twist(const Geometry &g, double degrees) {
     return detail::made([&](emb_geom **out) { return emb_geom_twist(g.get(), degrees, out); });
 }

@@ -187,7 +187,10 @@ pub unsafe extern "C" fn emb_geom_elongate(
     unsafe { construct(out_geom, || lend("g", g)?.elongate(numbers("extent", extent)?)) }
 }
 
-/// The body twisted about the z axis by `degrees` a unit of height, right-handed. EMB_SIGN_ONLY. O(1), shares g.
+/// The body twisted about the z axis by `degrees` a unit of height, right-handed. A twist stretches the more the
+/// further out: of a body within bounds the value is divided by the most by which they are stretched, and beyond them is
+/// at least the distance to them, so that it is a lower bound of the distance where g's value is 1-Lipschitz; of others
+/// EMB_SIGN_ONLY, and the value g's own. O(1), shares g.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_twist(g: *const emb_geom, degrees: f64, out_geom: *mut *mut emb_geom) -> emb_status {

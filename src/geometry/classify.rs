@@ -101,7 +101,7 @@ impl Geometry {
             // Subtraction is monotone: the shifted box holds every shifted point, rounding included.
             Node::Translate(g, shift) => g.range(Aabb::new(b.lo - *shift, b.hi - *shift)),
             Node::Place(g, placement) => scaled(g.range(placement.box_to_body(b)), placement.scale()),
-            Node::Map(g, map) => scaled(g.range(map.box_of(b)), map.factor()),
+            Node::Map(g, map) => map.range(b, g.range(map.box_of(b))),
             Node::Level(g, level) => level.range(g.range(b)),
             Node::Stencil(g, stencil) => stencil.range(g, b),
             Node::Part(g, _) => g.range(b),

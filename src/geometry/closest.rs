@@ -128,7 +128,7 @@ impl Geometry {
             }
             Node::Map(g, map) => {
                 let answer = g.raw_closest(map.point(p));
-                self.derived(p, map.factor() * answer.value, map.gradient(p, answer.gradient), answer)
+                self.derived(p, map.value(p, answer.value), map.gradient(p, answer.value, answer.gradient), answer)
             }
             Node::Level(g, level) => {
                 let answer = g.raw_closest(p);

@@ -23,6 +23,7 @@ mod stencil;
 mod summary;
 mod surface;
 mod trace;
+mod twist;
 mod value;
 
 pub use blend::{Blend, BlendFunction, CustomBlend};

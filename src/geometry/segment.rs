@@ -87,7 +87,7 @@ impl Geometry {
             Node::Map(g, map) if map.is_linear() => {
                 let (from, to) = (map.point(a), map.point(b));
                 let mut events = if from == to { Vec::new() } else { g.events(from, to) };
-                events.iter_mut().for_each(|e| e.normal = crate::math::unit(map.gradient(a, e.normal)));
+                events.iter_mut().for_each(|e| e.normal = crate::math::unit(map.gradient(a, 0.0, e.normal)));
                 events
             }
             Node::Map(..) => self.traced_events(a, b),

@@ -45,7 +45,7 @@ impl Geometry {
             Node::Complement(g) => 0.0 - g.raw_value(p),
             Node::Translate(g, shift) => g.raw_value(p - *shift),
             Node::Place(g, placement) => placement.scale() * g.raw_value(placement.to_body(p)),
-            Node::Map(g, map) => map.factor() * g.raw_value(map.point(p)),
+            Node::Map(g, map) => map.value(p, g.raw_value(map.point(p))),
             Node::Level(g, level) => level.value(g.raw_value(p)),
             Node::Stencil(g, stencil) => stencil.value(g, p),
             Node::Part(g, _) => g.raw_value(p),
@@ -93,7 +93,7 @@ impl Geometry {
             }
             Node::Map(g, map) => {
                 g.raw_values(&mapped(&|p| map.point(p)), out);
-                out.iter_mut().for_each(|value| *value *= map.factor());
+                points.iter().zip(out).for_each(|(p, value)| *value = map.value(*p, *value));
             }
             Node::Level(g, level) => {
                 g.raw_values(points, out);

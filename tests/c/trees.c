@@ -122,7 +122,7 @@ static void transforms_move_turn_and_bend(void) {
   VALUE(emb_geom_offset(ball, 0.25, &g), 1, 0, 0, -0.75);
   VALUE(emb_geom_annular(ball, 0.125, &g), 1.5, 0, 0, -0.125);
   VALUE(emb_geom_elongate(ball, right, &g), 2.25, 0, 0, -0.25);
-  VALUE(emb_geom_twist(ball, 360, &g), 0, 1, 0.25, -0.25);
+  VALUE(emb_geom_twist(ball, 360, &g), 0, 1.4330127018922194, 0.25, 0);
   VALUE(emb_geom_slice(ball, high, right, y, &g), 1, 0, 77, -0.25);
   VALUE(emb_geom_repeat(ball, period, counts, &g), 10, 0, 0, -0.5);
   VALUE(emb_geom_repeat(ball, period, counts, &g), 13, 0, 0, 2.5);

@@ -119,7 +119,8 @@ TEST(transforms_move_turn_and_bend) {
     CHECK(std::fabs(embound::blur(ball, 0.01, 0.5)(1.4, 0.0, 0.0) + 0.1) < 0.01);
     CHECK(std::fabs(embound::mollify(ball, 0.01, 3)(1.4, 0.0, 0.0) + 0.1) < 0.01);
     CHECK(embound::elongate(embound::sphere(origin, 0.5), {1.0, 0.0, 0.0})(1.25, 0.0, 0.0) == -0.25);
-    CHECK(embound::twist(ball, 180.0)(std::sqrt(0.5), std::sqrt(0.5), 0.25) < -0.2);
+    CHECK(embound::twist(ball, 180.0)(std::sqrt(0.5), std::sqrt(0.5), 0.25) < 0.0);
+    CHECK(embound::twist(ball, 180.0).properties().kind == embound::Kind::LowerBound);
     CHECK(embound::slice(ball, {0.0, 0.0, 0.25}, right, {0.0, 1.0, 0.0})(1.0, 0.0, 77.0) == -0.25);
     const Geometry row = embound::repeat(ball, {3.0, 0.0, 0.0}, {4, 1, 1});
     CHECK(row(10.0, 0.0, 0.0) == -0.5 && row(13.0, 0.0, 0.0) == 2.5);

@@ -11,6 +11,7 @@ use crate::geometry::map::Map;
 use crate::geometry::node::Node;
 use crate::geometry::placement::Placement;
 use crate::geometry::stencil::Stencil;
+use crate::geometry::twist::Twist;
 use crate::math::{Vec3, length, unit};
 
 /// Most samples along an axis of [`Geometry::mollify`].
@@ -142,10 +143,12 @@ impl Geometry {
         }
     }
 
-    /// Twisted about the z axis by `degrees` a unit of height. Only the sign of its value counts.
+    /// Twisted about the z axis by `degrees` a unit of height. Of a body within bounds the value is divided by
+    /// the most by which they are stretched, and is a lower bound of the distance where the body's is
+    /// 1-Lipschitz; of others only its sign counts.
     pub fn twist(&self, degrees: f64) -> Result<Geometry> {
         let rate = finite_number("degrees", degrees)? * (std::f64::consts::PI / 180.0);
-        Geometry::new(Node::Map(self.clone(), Map::Twist(rate)))
+        Geometry::new(Node::Map(self.clone(), Map::Twist(Twist::new(rate, self.summary()))))
     }
 
     /// The section by a plane, as a body of the plane of x and y (the same at every z): the value at (x, y) is
