@@ -6,7 +6,7 @@
 
 use super::axis::{Axis, Place, between};
 use super::height_field::{length_above, ordered, slope_above};
-use super::pyramid::Pyramid;
+use super::pyramid::{Pyramid, each};
 use super::{Facts, Shape};
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Interval, Vec3};
@@ -45,12 +45,6 @@ impl Grid {
         std::array::from_fn(|c| self.values[first + (c & 1) + (c >> 1 & 1) * nx + (c >> 2) * nx * ny])
     }
 
-    /// Every cell, x fastest.
-    fn cells(&self) -> impl Iterator<Item = [usize; 3]> {
-        let [nx, ny, nz] = self.axes.each_ref().map(Axis::cells);
-        (0..nz).flat_map(move |k| (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j, k])))
-    }
-
     fn greatest_slope(&self) -> f64 {
         let steepest = |cell: [usize; 3]| {
             let v = self.corners(cell);
@@ -61,7 +55,9 @@ impl Grid {
             let is_flat = v.iter().all(|x| *x == v[0]);
             if is_flat { 0.0 } else { (0..8).map(at_corner).fold(0.0, f64::max) }
         };
-        self.cells().map(steepest).fold(0.0, f64::max)
+        let mut greatest = 0.0f64;
+        each(self.axes.each_ref().map(|axis| (0, axis.cells() - 1)), |cell| greatest = greatest.max(steepest(cell)));
+        greatest
     }
 
     /// Where `p` is along each axis, and the corners of its cell.

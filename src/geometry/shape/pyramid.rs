@@ -35,10 +35,16 @@ fn grown(range: Interval, x: f64) -> Interval {
     range.hull(Interval { lo: x, hi: x })
 }
 
-/// Every index in the span, x fastest.
-fn indices(span: Span) -> impl Iterator<Item = [usize; 3]> {
+/// Calls `visit` for every index in the span, x fastest.
+pub(super) fn each(span: Span, mut visit: impl FnMut([usize; 3])) {
     let [x, y, z] = span;
-    (z.0..=z.1).flat_map(move |k| (y.0..=y.1).flat_map(move |j| (x.0..=x.1).map(move |i| [i, j, k])))
+    for k in z.0..z.1 + 1 {
+        for j in y.0..y.1 + 1 {
+            for i in x.0..x.1 + 1 {
+                visit([i, j, k]);
+            }
+        }
+    }
 }
 
 /// The boxes of the level below that make up block `i`.
@@ -54,13 +60,14 @@ impl Pyramid {
             let below = levels.last().map_or(n, |level| level.n);
             let blocks = below.map(|n| n.div_ceil(SIDE));
             let mut ranges = try_with_capacity("ranges", blocks.iter().product())?;
-            for i in indices(blocks.map(|n| (0, n - 1))) {
-                let parts = indices(inside(i, below));
-                ranges.push(match levels.last() {
-                    None => parts.fold(NONE, |r, i| grown(r, samples[at(n, i)])),
-                    Some(level) => parts.fold(NONE, |r, i| r.hull(level.ranges[at(below, i)])),
+            each(blocks.map(|n| (0, n - 1)), |block| {
+                let mut range = NONE;
+                each(inside(block, below), |i| match levels.last() {
+                    None => range = grown(range, samples[at(n, i)]),
+                    Some(level) => range = range.hull(level.ranges[at(below, i)]),
                 });
-            }
+                ranges.push(range);
+            });
             levels.push(Level { n: blocks, ranges });
             if blocks == [1; 3] {
                 return Ok(Pyramid { levels, n });
@@ -101,13 +108,10 @@ impl Pyramid {
         // Only the parts that meet the span.
         let unit = size / SIDE;
         let parts: Span = std::array::from_fn(|k| (parts[k].0.max(span[k].0 / unit), parts[k].1.min(span[k].1 / unit)));
-        for i in indices(parts) {
-            if level == 0 {
-                *found = grown(*found, samples[at(self.n, i)]);
-            } else {
-                self.descend(samples, span, level - 1, i, found);
-            }
-        }
+        each(parts, |i| match level {
+            0 => *found = grown(*found, samples[at(self.n, i)]),
+            _ => self.descend(samples, span, level - 1, i, found),
+        });
     }
 
     /// Memory on the heap.
@@ -133,8 +137,9 @@ mod tests {
             let pyramid = Pyramid::new(n, &samples).unwrap();
             for _ in 0..30 {
                 let span = n.map(|n| { let (a, b) = (random() % n, random() % n); (a.min(b), a.max(b)) });
-                let each = indices(span).fold(NONE, |r, i| grown(r, samples[at(n, i)]));
-                prop_assert_eq!(pyramid.range(&samples, span, NONE), each);
+                let mut plain = NONE;
+                each(span, |i| plain = grown(plain, samples[at(n, i)]));
+                prop_assert_eq!(pyramid.range(&samples, span, NONE), plain);
             }
             prop_assert_eq!(pyramid.range(&samples, n.map(|n| (0, n - 1)), NONE), pyramid.all());
         }
