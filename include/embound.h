@@ -34,8 +34,8 @@
 //
 // Structs that begin with struct_size grow at the end from release to release; the caller sets struct_size to sizeof.
 // A smaller struct of an earlier release is accepted, and what it lacks has its default; a larger one of a later
-// release is accepted where what this one does not know is zero. Set what is not used to zero, or fill option structs
-// with emb_x_options_init(&o, sizeof o).
+// release is accepted where what this one does not know is zero. Set what is not used of others to zero; fill
+// option structs with emb_x_options_init(&o, sizeof o), for zero is not their default.
 //
 // Points are (count, x, y, z, stride): three arrays with stride 1, or p, p + 1, p + 2 with stride 3. Coordinates are in
 // any one unit of length, which results are in too.
@@ -80,7 +80,7 @@
 // The progress callback asked to stop.
 #define EMB_ERROR_CANCELLED -7
 
-// A user's callback failed (returned NaN).
+// A user's callback failed (returned NaN), or an expression has no value at a point asked for.
 #define EMB_ERROR_CALLBACK -8
 
 // Memory could not be had.
@@ -871,14 +871,16 @@ emb_status emb_geom_grid(const emb_lattice *lattice, const emb_array *values, em
 emb_status emb_expression_options_init(emb_expression_options *options, size_t size);
 
 // The body where an expression of x, y and z is negative, such as `sqrt(x^2+y^2) - 0.3*sin(4*z)`: operators + - * / ^
-// with the usual priorities (-x^2 is -(x^2); a^b^c needs parentheses), numbers such as 1.5e-3, the constants pi and e,
+// with the usual priorities (-x^2 is -(x^2), a^b^c is a^(b^c)), numbers such as 1.5e-3, the constants pi and e,
 // the functions sqrt abs exp ln log10 sin cos tan asin acos atan sinh cosh tanh, pow(a, b), atan2(y, x), and min and
 // max of two or more. A whole exponent up to 64 multiplies out. At most 65536 bytes and 200 parentheses within each
 // other. Values have the same bits on every machine; where the expression has none, emb_geom_value gives NaN and
 // batches give EMB_ERROR_CALLBACK. The body is cut off at options->lo and hi. A lower bound of the distance where its
-// Lipschitz constant is at most 1, else EMB_SIGN_ONLY. `options` may be NULL.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the options; the text, naming the byte where it is
-// wrong), EMB_ERROR_MEMORY. Cost: linear in the text, and where the Lipschitz constant is looked for up to some
+// Lipschitz constant is at most 1, else EMB_SIGN_ONLY, and then so is all that is made with it: give it finite bounds,
+// over which the constant is found, and take emb_geom_lower_bound of it first. `options` may be NULL. Names are
+// case-sensitive.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the options; the text, naming what is wrong and its
+// byte, counted from 0), EMB_ERROR_MEMORY. Cost: linear in the text, and where the Lipschitz constant is looked for up to some
 // thousand evaluations.
 emb_status emb_geom_expression(const char *expression,
                                const emb_expression_options *options,
@@ -1010,7 +1012,8 @@ emb_status emb_blend_init(emb_blend *blend, size_t size);
 // other's); else a lower bound of the distance. Over four parts and more a hierarchy over the parts' own bounds is
 // built, which a value searches for the few parts that may be the least; parts without bounds are always asked. The
 // bits are those of asking every part, and of equal values the first part's labels win. The parts live on in it and
-// may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY.
+// may be freed. A part that is EMB_SIGN_ONLY makes all of it so. In C declare the array as const emb_geom *parts[n].
+// Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY.
 // Cost: n log n in the parts, then about log n a value.
 emb_status emb_geom_union(size_t count, const emb_geom *const *parts, emb_geom **out_geom);
 
@@ -1019,7 +1022,8 @@ emb_status emb_geom_union(size_t count, const emb_geom *const *parts, emb_geom *
 // space, such as complements of bodies.
 emb_status emb_geom_intersection(size_t count, const emb_geom *const *parts, emb_geom **out_geom);
 
-// The points of `from` that are not in `remove`: the greater of from's value and of minus remove's.
+// The points of `from` that are not in `remove`: the greater of from's value and of minus remove's. On the faces that
+// the cut leaves, part and tag are remove's.
 // Errors: EMB_ERROR_NULL_ARGUMENT.
 emb_status emb_geom_difference(const emb_geom *from, const emb_geom *remove, emb_geom **out_geom);
 
@@ -1063,8 +1067,8 @@ emb_status emb_geom_smooth_difference(const emb_geom *from,
                                       emb_geom **out_geom);
 
 // The union of copies of g at (i period[0], j period[1], k period[2]), 0 <= i < counts[0] and so on, without the
-// copies: of the memory of one, and only those near a point are asked. A period may be negative, or zero where its
-// count is 1. Exact where g is and its bounds are smaller than the period. Labels are g's. O(1), shares g.
+// copies: of the memory of one, and only those near a point are asked. A period may be negative, or zero, which
+// leaves all copies along that axis in one place. Exact where g is and its bounds are smaller than the period. Labels are g's. O(1), shares g.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, a count below 1),
 // EMB_ERROR_UNSUPPORTED (more than 2^20 copies of a body without bounds, or of which only the sign is known).
 emb_status emb_geom_repeat(const emb_geom *g,
@@ -1119,10 +1123,11 @@ emb_status emb_geom_values_f32(const emb_geom *g,
 // The closest point of the surface to each of `count` points, given as in emb_geom_values, with what is known
 // there. Where nothing is nearer than max_distance (INFINITY: no limit) the value is +-max_distance, ids are -1 and
 // vectors NaN. On a mesh ties go to the lowest face, so every accelerator and instruction set gives the same answer.
+// Of an EMB_SIGN_ONLY geometry the value is no distance: neither is max_distance, and the part is that of the least value.
 // Gradients are analytic but for functions that know none; their direction is the unit normal, and their length is 1
 // where the geometry is exact. Of a union or intersection part, tag, face and point are those of the part whose value
-// it is, and the point may lie within another; bodies that are blended, bent or blurred keep part and tag, and have a
-// closest point (else NaN) only where their kind is EMB_EXACT.
+// it is, and the point may lie within another; of bodies that are blended, bent, blurred, sampled or an
+// expression, and of what is not EMB_EXACT but for set operations on what is, the closest point is NaN.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (max_distance NaN or not > 0),
 // EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 emb_status emb_geom_closest(const emb_geom *g,
@@ -1194,8 +1199,9 @@ emb_status emb_geom_classify_boxes(const emb_geom *g,
 // axis; what may hold a part of the body is kept, and the result is widened by `safety` >= 0 widths of the finest
 // cells. *out_state: EMB_BOUNDING_FOUND; EMB_BOUNDING_REACHES_START, the body may reach the border of the start box;
 // EMB_BOUNDING_NOTHING, none of it lies in there; in the last two the box is infinite. Right wherever boxes can be
-// classified; a function of whose slope nothing is known is taken to be 1-Lipschitz. A body smaller than the finest
-// cells is found as well. Runs on the calling thread; run serves to cancel.
+// classified. A callback of whose slope nothing is known (no lipschitz, no kind but EMB_SIGN_ONLY), and what is made with
+// it, is taken to be 1-Lipschitz: where it is steeper the answer may be wrong. A body smaller than the finest cells is
+// found as well. Runs on the calling thread; run serves to cancel.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED. Cost: the
 // cells along the body's outermost parts, some 1,000 to 10,000 values.
 emb_status emb_geom_bounding_box(const emb_geom *g,

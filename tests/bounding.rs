@@ -5,7 +5,7 @@ mod common;
 
 use common::random::Random;
 use embound::Status;
-use embound::geometry::{Blend, Function, FunctionOptions, Geometry, Kind};
+use embound::geometry::{Blend, ExpressionOptions, Function, FunctionOptions, Geometry, Kind};
 use embound::math::{Aabb, Vec3};
 use embound::parallel::Run;
 use embound::query::{Bounding, bounding_box, bounding_sphere};
@@ -51,6 +51,17 @@ fn the_box_of_a_function_closes_in_on_the_body() {
         };
         let off = (center - Vec3::new(0.3, -0.2, 0.1)).length();
         assert!(off < 0.1 && radius >= 0.5 + off && radius < 0.66, "{what}: {center} {radius}");
+    }
+}
+
+#[test]
+fn an_expression_of_unknown_slope_is_bounded_by_what_is_proved() {
+    let text = "(x-1)^2 + y^2 + z^2 - 1";
+    let alone = Geometry::expression(text, &ExpressionOptions::default()).unwrap();
+    let both = Geometry::union(&[alone.clone(), Geometry::sphere([-2.0, 0.0, 0.0], 1.0).unwrap()]).unwrap();
+    for (g, least) in [(alone, 0.0), (both, -3.0)] {
+        let Bounding::Found(b) = boxed(&g, cube(5.0), 6) else { panic!("not found") };
+        assert!(b.lo.x <= least && b.lo.x > least - 0.5 && b.hi.x >= 2.0 && b.hi.x < 2.5, "{b:?}");
     }
 }
 

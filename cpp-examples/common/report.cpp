@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #include "report.hpp"
 
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -21,6 +22,14 @@ const char *in_words(embound::Kind kind) {
 }
 
 void fail(const std::string &message) { throw std::runtime_error(message); }
+
+std::uint64_t whole_number(const std::string &argument) {
+    std::uint64_t number = 0;
+    const char *const end = argument.data() + argument.size();
+    const auto read = std::from_chars(argument.data(), end, number);
+    require(read.ec == std::errc() && read.ptr == end, "\"" + argument + "\" is not a whole number");
+    return number;
+}
 
 void print_library(const embound::Pool &pool) {
     const std::uint32_t version = emb_version_number();

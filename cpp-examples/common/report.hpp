@@ -6,6 +6,7 @@
 #include <embound.hpp>
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 // Seconds that `work` takes.
@@ -30,6 +31,9 @@ inline void require(bool holds, const std::string &message) {
         fail(message);
     }
 }
+
+// The whole number that an argument is; fails where it is none.
+std::uint64_t whole_number(const std::string &argument);
 
 // The first line: version, instruction set, threads.
 void print_library(const embound::Pool &pool);

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <numeric>
@@ -123,7 +122,7 @@ void draw(const embound::Geometry &bed, const std::vector<Ball> &balls, const em
 }
 
 void packed_spheres(int argc, char **argv) {
-    const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 20000;
+    const std::size_t count = argc > 1 ? whole_number(argv[1]) : 20000;
     require(count > 0, "the count must be a positive number");
     const embound::Pool pool;
     print_library(pool);

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <vector>
 
 namespace {
@@ -129,7 +128,7 @@ void draw(const City &city, const embound::Pool &pool) {
 }
 
 void random_city(int argc, char **argv) {
-    const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 7;
+    const std::uint64_t seed = argc > 1 ? whole_number(argv[1]) : 7;
     const embound::Pool pool;
     print_library(pool);
     City city;

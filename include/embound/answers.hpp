@@ -77,7 +77,7 @@ enum class Elsewhere : std::int32_t {
 struct ClosestOut {
     Span<double> value;             ///< Signed distance.
     Span<Point> point;              ///< The nearest point of the part that decides the value.
-    Span<Point> gradient;           ///< Of the value, length 1; on the surface its outward normal.
+    Span<Point> gradient;           ///< Of the value; of length 1 where it is exact; on the surface along its outward normal.
     Span<Point> barycentric;        ///< Of the nearest point, for the triangle's corners as given.
     Span<std::int64_t> primitive;   ///< Index of the input face; ties go to the lowest.
     Span<std::int32_t> part;        ///< The body's label, -1: none.
@@ -89,7 +89,7 @@ struct ClosestOut {
 struct Closest {
     std::vector<double> value;           ///< Signed distance.
     std::vector<Point> point;            ///< The nearest point of the part that decides the value.
-    std::vector<Point> gradient;         ///< Of the value, length 1.
+    std::vector<Point> gradient;         ///< Of the value; of length 1 where it is exact.
     std::vector<Point> barycentric;      ///< Of the nearest point, for the triangle's corners as given.
     std::vector<std::int64_t> primitive; ///< Index of the input face.
     std::vector<std::int32_t> part;      ///< The body's label, -1: none.

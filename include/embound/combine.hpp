@@ -125,6 +125,10 @@ inline Geometry unite(Span<const Geometry> parts) {
     return detail::made([&](emb_geom **out) { return emb_geom_union(all.size(), all.data(), out); });
 }
 /// All of the parts together.
+inline Geometry unite(std::initializer_list<Geometry> parts) {
+    return unite(Span<const Geometry>(parts.begin(), parts.size()));
+}
+/// All of the parts together.
 template <class... More> Geometry unite(const Geometry &first, const Geometry &second, const More &...more) {
     const Geometry parts[] = {first, second, more...};
     return unite(Span<const Geometry>(parts));
@@ -134,6 +138,10 @@ template <class... More> Geometry unite(const Geometry &first, const Geometry &s
 inline Geometry intersection(Span<const Geometry> parts) {
     const auto all = detail::handles(parts);
     return detail::made([&](emb_geom **out) { return emb_geom_intersection(all.size(), all.data(), out); });
+}
+/// What is in every part.
+inline Geometry intersection(std::initializer_list<Geometry> parts) {
+    return intersection(Span<const Geometry>(parts.begin(), parts.size()));
 }
 /// What is in every part.
 template <class... More> Geometry intersection(const Geometry &first, const Geometry &second, const More &...more) {
@@ -151,6 +159,10 @@ inline Geometry difference(const Geometry &from, Span<const Geometry> remove) {
     const auto all = detail::handles(remove);
     return detail::made(
         [&](emb_geom **out) { return emb_geom_difference_of_many(from.get(), all.size(), all.data(), out); });
+}
+/// `from` without any of `remove`.
+inline Geometry difference(const Geometry &from, std::initializer_list<Geometry> remove) {
+    return difference(from, Span<const Geometry>(remove.begin(), remove.size()));
 }
 
 /// All of the parts together, their inner edges filled.

@@ -149,7 +149,8 @@ using PointsF32 = PointsView<float>; ///< Points in f32.
 
 /// A tensor grid: the point (i, j, k) is (x[i], y[j], z[k]). Each axis is finite and monotone either
 /// way, repeats allowed. The coordinates are the caller's own doubles: compute them once, as the
-/// solver does, and embound never computes them again.
+/// solver does, and embound never computes them again. The axes must outlive the lattice: name them, unless
+/// the lattice itself is a temporary in the call.
 class Lattice {
 public:
     /// Three axes.

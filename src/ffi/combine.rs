@@ -43,7 +43,8 @@ unsafe fn integers(name: &str, data: *const i32) -> Result<[i32; 3]> {
 /// other's); else a lower bound of the distance. Over four parts and more a hierarchy over the parts' own bounds is
 /// built, which a value searches for the few parts that may be the least; parts without bounds are always asked. The
 /// bits are those of asking every part, and of equal values the first part's labels win. The parts live on in it and
-/// may be freed. Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY.
+/// may be freed. A part that is EMB_SIGN_ONLY makes all of it so. In C declare the array as const emb_geom *parts[n].
+/// Errors: EMB_ERROR_NULL_ARGUMENT (naming the part), EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_MEMORY.
 /// Cost: n log n in the parts, then about log n a value.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_union(
@@ -68,7 +69,8 @@ pub unsafe extern "C" fn emb_geom_intersection(
     unsafe { construct(out_geom, || Geometry::intersection(&bodies("parts", count, parts)?)) }
 }
 
-/// The points of `from` that are not in `remove`: the greater of from's value and of minus remove's.
+/// The points of `from` that are not in `remove`: the greater of from's value and of minus remove's. On the faces that
+/// the cut leaves, part and tag are remove's.
 /// Errors: EMB_ERROR_NULL_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_difference(
@@ -166,8 +168,8 @@ pub unsafe extern "C" fn emb_geom_smooth_difference(
 }
 
 /// The union of copies of g at (i period[0], j period[1], k period[2]), 0 <= i < counts[0] and so on, without the
-/// copies: of the memory of one, and only those near a point are asked. A period may be negative, or zero where its
-/// count is 1. Exact where g is and its bounds are smaller than the period. Labels are g's. O(1), shares g.
+/// copies: of the memory of one, and only those near a point are asked. A period may be negative, or zero, which
+/// leaves all copies along that axis in one place. Exact where g is and its bounds are smaller than the period. Labels are g's. O(1), shares g.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, a count below 1),
 /// EMB_ERROR_UNSUPPORTED (more than 2^20 copies of a body without bounds, or of which only the sign is known).
 /// cbindgen:ptrs-as-arrays=[[period;3], [counts;3]]

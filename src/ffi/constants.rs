@@ -24,7 +24,7 @@ pub const EMB_ERROR_UNSUPPORTED: i32 = -5;
 pub const EMB_ERROR_TOPOLOGY: i32 = -6;
 /// The progress callback asked to stop.
 pub const EMB_ERROR_CANCELLED: i32 = -7;
-/// A user's callback failed (returned NaN).
+/// A user's callback failed (returned NaN), or an expression has no value at a point asked for.
 pub const EMB_ERROR_CALLBACK: i32 = -8;
 /// Memory could not be had.
 pub const EMB_ERROR_MEMORY: i32 = -9;

@@ -108,10 +108,11 @@ pub unsafe extern "C" fn emb_geom_values_f32(
 /// The closest point of the surface to each of `count` points, given as in emb_geom_values, with what is known
 /// there. Where nothing is nearer than max_distance (INFINITY: no limit) the value is +-max_distance, ids are -1 and
 /// vectors NaN. On a mesh ties go to the lowest face, so every accelerator and instruction set gives the same answer.
+/// Of an EMB_SIGN_ONLY geometry the value is no distance: neither is max_distance, and the part is that of the least value.
 /// Gradients are analytic but for functions that know none; their direction is the unit normal, and their length is 1
 /// where the geometry is exact. Of a union or intersection part, tag, face and point are those of the part whose value
-/// it is, and the point may lie within another; bodies that are blended, bent or blurred keep part and tag, and have a
-/// closest point (else NaN) only where their kind is EMB_EXACT.
+/// it is, and the point may lie within another; of bodies that are blended, bent, blurred, sampled or an
+/// expression, and of what is not EMB_EXACT but for set operations on what is, the closest point is NaN.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (max_distance NaN or not > 0),
 /// EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 #[unsafe(no_mangle)]

@@ -115,14 +115,16 @@ pub unsafe extern "C" fn emb_expression_options_init(options: *mut emb_expressio
 }
 
 /// The body where an expression of x, y and z is negative, such as `sqrt(x^2+y^2) - 0.3*sin(4*z)`: operators + - * / ^
-/// with the usual priorities (-x^2 is -(x^2); a^b^c needs parentheses), numbers such as 1.5e-3, the constants pi and e,
+/// with the usual priorities (-x^2 is -(x^2), a^b^c is a^(b^c)), numbers such as 1.5e-3, the constants pi and e,
 /// the functions sqrt abs exp ln log10 sin cos tan asin acos atan sinh cosh tanh, pow(a, b), atan2(y, x), and min and
 /// max of two or more. A whole exponent up to 64 multiplies out. At most 65536 bytes and 200 parentheses within each
 /// other. Values have the same bits on every machine; where the expression has none, emb_geom_value gives NaN and
 /// batches give EMB_ERROR_CALLBACK. The body is cut off at options->lo and hi. A lower bound of the distance where its
-/// Lipschitz constant is at most 1, else EMB_SIGN_ONLY. `options` may be NULL.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the options; the text, naming the byte where it is
-/// wrong), EMB_ERROR_MEMORY. Cost: linear in the text, and where the Lipschitz constant is looked for up to some
+/// Lipschitz constant is at most 1, else EMB_SIGN_ONLY, and then so is all that is made with it: give it finite bounds,
+/// over which the constant is found, and take emb_geom_lower_bound of it first. `options` may be NULL. Names are
+/// case-sensitive.
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the options; the text, naming what is wrong and its
+/// byte, counted from 0), EMB_ERROR_MEMORY. Cost: linear in the text, and where the Lipschitz constant is looked for up to some
 /// thousand evaluations.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_expression(

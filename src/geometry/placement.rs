@@ -28,7 +28,7 @@ impl Placement {
         let off = (gram - Mat3::IDENTITY).to_cols_array().into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
         if off > TOLERANCE {
             return Err(Error::invalid(format!(
-                "rotation: off an orthogonal matrix by {off}, more than {TOLERANCE:e}"
+                "rotation: off an orthogonal matrix by {off:e}, more than {TOLERANCE:e}"
             )));
         }
         if rotation.determinant() < 0.0 {

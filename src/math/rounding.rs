@@ -26,7 +26,7 @@ pub fn f32_same_sign(x: f64) -> f32 {
     }
 }
 
-/// `x`, with -0.0 turned into +0.0.
+/// `x`, with -0.0 turned into +0.0, and one NaN for all of them.
 pub fn positive_zero(x: f64) -> f64 {
-    x + 0.0
+    if x.is_nan() { f64::NAN } else { x + 0.0 }
 }

@@ -29,8 +29,8 @@ pub enum Bounding<T> {
 }
 
 /// A box around the body: `start` is halved `depth` times (1 to 40) along each axis, and the result widened
-/// by `safety` >= 0 widths of the finest cells. Right wherever boxes can be classified; a function of whose
-/// slope nothing is known is taken to be 1-Lipschitz. A body smaller than the finest cells is found as well.
+/// by `safety` >= 0 widths of the finest cells. Right wherever boxes can be classified; a user's function of
+/// whose slope nothing is known is taken to be 1-Lipschitz. A body smaller than the finest cells is found as well.
 pub fn bounding_box(g: &Geometry, start: Aabb, depth: i32, safety: f64, run: &Run) -> Result<Bounding<Aabb>> {
     let mut search = Search::new(g, start, depth, safety, run, Hull(Aabb::EMPTY))?;
     if search.body_reaches_start()? {
@@ -165,7 +165,7 @@ impl<'a, C: Cover> Search<'a, C> {
         let middle = cell.center();
         let value = self.g.value(middle);
         check(self.g, value, middle)?;
-        let known = self.g.kind() != Kind::SignOnly || self.g.lipschitz().is_finite();
+        let known = !self.g.has_functions() || self.g.kind() != Kind::SignOnly || self.g.lipschitz().is_finite();
         let half = length(cell.hi - middle);
         Ok(if known || value.abs() <= half { 0 } else { value.signum() as i32 })
     }

@@ -48,7 +48,7 @@ pub fn fill(
     }
     if mode != FillMode::Sign && g.kind() == Kind::SignOnly {
         return Err(Error::unsupported(
-            "mode: of a function in this geometry only the sign is known (kind SIGN_ONLY): fill with SIGN (2), or make the function with kind EXACT or LOWER_BOUND",
+            "mode: of a part of this geometry only the sign is known (EMB_SIGN_ONLY): fill with EMB_FILL_SIGN, or make a callback with a kind, an expression with finite bounds and emb_geom_lower_bound",
         ));
     }
     let [x, y, z] = lattice.axes;

@@ -259,6 +259,13 @@ TEST(bodies_without_bounds_are_given_some) {
     CHECK(check::status_of([&] { embound::bounding_box(ball, small, 99); }) == EMB_ERROR_INVALID_ARGUMENT);
 }
 
+TEST(sets_take_lists) {
+    const Geometry a = embound::sphere(origin, 1.0), b = embound::sphere({1.5, 0.0, 0.0}, 1.0);
+    CHECK(embound::unite({a, b})(1.5, 0.0, 0.0) == embound::unite(a, b)(1.5, 0.0, 0.0));
+    CHECK(embound::intersection({a, b})(1.5, 0.0, 0.0) == embound::intersection(a, b)(1.5, 0.0, 0.0));
+    CHECK(embound::difference(a, {b})(0.1, 0.0, 0.0) == embound::difference(a, b)(0.1, 0.0, 0.0));
+}
+
 TEST(a_body_cut_down_to_a_box_is_the_same_there) {
     std::vector<Geometry> parts;
     for (int i = 0; i < 100; ++i) {

@@ -44,7 +44,7 @@ pub(in crate::geometry) fn between(names: [&str; 3], a: [f64; 3], b: [f64; 3]) -
 /// Sine and cosine of half a full angle in degrees, between 0 and 180.
 pub(in crate::geometry) fn half_angle(name: &str, degrees: f64) -> Result<(f64, f64)> {
     if !(degrees > 0.0 && degrees < 180.0) {
-        return Err(Error::invalid(format!("{name}: {degrees} is not between 0 and 180")));
+        return Err(Error::invalid(format!("{name}: {degrees} is not above 0 and below 180")));
     }
     let half = degrees * (std::f64::consts::PI / 360.0);
     let (sin, cos) = (libm::sin(half), libm::cos(half));

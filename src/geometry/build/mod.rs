@@ -64,7 +64,8 @@ impl Geometry {
     pub fn function(function: Arc<dyn Function>, options: &FunctionOptions) -> Result<Geometry> {
         let b = options.bounds;
         for k in 0..3 {
-            if b.lo[k].is_nan() || b.hi[k].is_nan() || b.lo[k] > b.hi[k] {
+            // A struct of zeros would be a body of one point.
+            if b.lo[k].is_nan() || b.hi[k].is_nan() || b.lo[k] >= b.hi[k] {
                 return Err(Error::invalid(format!(
                     "options.lo[{k}], hi[{k}]: {} to {} is no range",
                     b.lo[k], b.hi[k]

@@ -108,7 +108,9 @@ impl Geometry {
     pub fn lower_bound(&self) -> Result<Geometry> {
         let lipschitz = self.summary().lipschitz;
         if !(lipschitz.is_finite() && lipschitz > 0.0) {
-            return Err(Error::unsupported(format!("g: its Lipschitz constant is {lipschitz}: nothing to divide by")));
+            return Err(Error::unsupported(format!(
+                "g: its Lipschitz constant is {lipschitz}: nothing to divide by (give an expression finite bounds, a callback its constant)"
+            )));
         }
         Geometry::new(Node::Level(self.clone(), Level::Divided(lipschitz)))
     }

@@ -119,9 +119,10 @@ impl<'a> Reader<'a> {
         Error::invalid(format!("expression: {what} {place}"))
     }
 
-    fn unknown(&self, what: &str, name: &str) -> Error {
-        let (name, text): (String, String) = (name.chars().take(40).collect(), self.text.chars().take(60).collect());
-        Error::invalid(format!("expression: unknown {what} '{name}' in '{text}'"))
+    fn unknown(&self, what: &str, name: &str, at: usize) -> Error {
+        let name: String = name.chars().take(40).collect();
+        let hint = if name == "log" { ": ln or log10" } else { "" };
+        Error::invalid(format!("expression: unknown {what} '{name}' at byte {at}{hint}"))
     }
 
     /// The next byte that is no space; 0 at the end.
@@ -186,14 +187,19 @@ impl<'a> Reader<'a> {
         }
         if !(first.is_ascii_alphabetic() || first == b'_') {
             let name: String = self.rest().chars().take_while(|c| c.is_alphabetic()).collect();
-            return Err(if name.is_empty() { self.error("a value is missing") } else { self.unknown("name", &name) });
+            let what = if self.text.get(..self.at).is_some_and(|before| before.ends_with('*')) {
+                "a value is missing (a power is ^)"
+            } else {
+                "a value is missing"
+            };
+            return Err(if name.is_empty() { self.error(what) } else { self.unknown("name", &name, self.at) });
         }
         let length = run(self.rest(), |b| b.is_ascii_alphanumeric() || b == b'_');
         let name = self.rest().get(..length).unwrap_or("");
         let before = self.at;
         self.at += length;
         if self.next() == b'(' {
-            let Some(call) = Call::of(name) else { return Err(self.unknown("function", name)) };
+            let Some(call) = Call::of(name) else { return Err(self.unknown("function", name, before)) };
             return self.enter(Some(call)).map(|()| None);
         }
         match name {
@@ -206,7 +212,7 @@ impl<'a> Reader<'a> {
                 self.at = before;
                 Err(self.error("a '(' is missing after the function"))
             }
-            _ => Err(self.unknown("name", name)),
+            _ => Err(self.unknown("name", name, before)),
         }
     }
 

@@ -185,9 +185,9 @@ fn unfit_text_is_named() {
     for (text, message) in [
         ("", "the text is empty"),
         ("  ", "the text is empty"),
-        ("x + foo", "unknown name 'foo' in 'x + foo'"),
-        ("foo(x)", "unknown function 'foo' in 'foo(x)'"),
-        ("x + é", "unknown name 'é' in 'x + é'"),
+        ("x + foo", "unknown name 'foo' at byte 4"),
+        ("foo(x)", "unknown function 'foo' at byte 0"),
+        ("x + é", "unknown name 'é' at byte 4"),
         ("x +", "a value is missing at the end"),
         ("x y", "an operator is missing at byte 2, 'y'"),
         ("2x", "an operator is missing at byte 1, 'x'"),

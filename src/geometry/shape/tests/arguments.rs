@@ -30,9 +30,9 @@ fn shape_arguments_are_checked() {
     refused(Revolved::capsule(O, [0.0, NAN, 1.0], 1.0), "b[1]: NaN is not finite");
     refused(Revolved::capsule_tips(O, Z, 0.5), "radius: 0.5 is not below half the distance 1 of the tips");
     refused(Revolved::capsule_tips(O, Z, NAN), "radius: NaN is not finite and > 0");
-    refused(Revolved::infinite_cone(O, Z, 180.0), "angle: 180 is not between 0 and 180");
-    refused(Revolved::infinite_cone(O, Z, NAN), "angle: NaN is not between 0 and 180");
-    refused(Revolved::cone(O, Z, 1.0, 0.0), "angle: 0 is not between 0 and 180");
+    refused(Revolved::infinite_cone(O, Z, 180.0), "angle: 180 is not above 0 and below 180");
+    refused(Revolved::infinite_cone(O, Z, NAN), "angle: NaN is not above 0 and below 180");
+    refused(Revolved::cone(O, Z, 1.0, 0.0), "angle: 0 is not above 0 and below 180");
     refused(Revolved::cone(O, Z, 0.0, 60.0), "height: 0 is not finite and > 0");
     refused(
         Revolved::rounded_cylinder(O, Z, 1.0, 1.0, 0.75),
