@@ -71,7 +71,7 @@ fn axis(n: usize, lo: f64, hi: f64) -> Vec<f64> {
     (0..n).map(|k| lo + (hi - lo) * k as f64 / (n - 1) as f64).collect()
 }
 
-fn fill(g: &Geometry, n: usize, axes: [&[f64]; 3]) -> f64 {
+fn fill(g: &Geometry, axes: [&[f64]; 3]) -> f64 {
     let lattice = Lattice::new(axes[0], axes[1], axes[2]).unwrap();
     let sum = std::sync::Mutex::new(0.0);
     let time = seconds(|| {
@@ -79,7 +79,6 @@ fn fill(g: &Geometry, n: usize, axes: [&[f64]; 3]) -> f64 {
     })
     .0;
     black_box(sum.into_inner().unwrap());
-    let _ = n;
     time
 }
 
@@ -126,7 +125,7 @@ fn balls(name: &str, side: i32, spacing: f64, radius: f64) {
     cold.sort_by(f64::total_cmp);
     println!("  single cold query {:.2} us (median of 31 after the cache was swept)", cold[15] * 1e6);
     let a = axis(128, -reach, reach);
-    let time = fill(&g, 128, [&a, &a, &a]);
+    let time = fill(&g, [&a, &a, &a]);
     println!("  fill 128^3 {:.3} s, {:.3} us a node", time, time / 128f64.powi(3) * 1e6);
 }
 
@@ -172,7 +171,7 @@ fn mesh_scenes(path: &str) {
     let (build, drilled) = seconds(|| part.difference_of_many(&drills).unwrap());
     let axes: Vec<Vec<f64>> = (0..3).map(|k| axis(128, b.lo[k] - 0.1 * size[k], b.hi[k] + 0.1 * size[k])).collect();
     let axes = [&axes[0][..], &axes[1][..], &axes[2][..]];
-    let (alone, with) = (fill(&part, 128, axes), fill(&drilled, 128, axes));
+    let (alone, with) = (fill(&part, axes), fill(&drilled, axes));
     println!(
         "{path} less 1,000 cylinders (built in {:.1} ms): fill 128^3 {with:.2} s, the mesh alone {alone:.2} s: {:.2} times",
         build * 1e3,
