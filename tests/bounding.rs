@@ -88,7 +88,7 @@ fn bodies_that_leave_the_start_box_and_bodies_that_are_not_there_are_told_apart(
 #[test]
 fn a_speck_is_found_at_any_depth() {
     let speck = Geometry::sphere([0.123, 0.456, -0.321], 1e-7).unwrap();
-    for depth in [1, 5, 20, 30] {
+    for depth in [1, 5, 10, 16] {
         let Bounding::Found(b) = boxed(&speck, cube(1.0), depth) else { panic!("{depth}") };
         assert!(b.contains(Vec3::new(0.123, 0.456, -0.321)), "{depth}: {b:?}");
     }
@@ -105,7 +105,7 @@ fn bad_starts_are_named() {
     assert!(of(Aabb::new(Vec3::ZERO, Vec3::new(1.0, 0.0, 1.0)), 5, 0.0).contains("start_lo[1]"));
     assert!(of(Aabb::ALL, 5, 0.0).contains("inf"));
     assert!(of(cube(1.0), 0, 0.0).contains("depth: 0"));
-    assert!(of(cube(1.0), 41, 0.0).contains("depth: 41"));
+    assert!(of(cube(1.0), 17, 0.0).contains("depth: 17"));
     assert!(of(cube(1.0), 5, f64::NAN).contains("safety: NaN"));
 }
 

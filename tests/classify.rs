@@ -5,7 +5,7 @@ mod common;
 
 use common::random::Random;
 use common::{Soup, bodies};
-use embound::geometry::{Geometry, Kind, SdfOptions};
+use embound::geometry::{ExpressionOptions, Geometry, Kind, SdfOptions};
 use embound::math::{Aabb, Vec3};
 use embound::parallel::Run;
 use embound::query;
@@ -147,4 +147,29 @@ fn bodies_apart_by_rounding_alone_are_not_called_outside() {
         assert_eq!(query::classify_box(&both, far), 1);
     }
     assert!(inside > 0);
+}
+
+#[test]
+fn the_angle_of_a_vector_that_shrinks_to_nothing_jumps() {
+    let b = Aabb::new(Vec3::splat(-2.0), Vec3::splat(2.0));
+    let options = ExpressionOptions { bounds: b, lipschitz: 0.0 };
+    let g = Geometry::expression("atan2(z*0,-1) + 0.1*x", &options).unwrap();
+    assert!(!g.properties().lipschitz.is_finite());
+    assert_eq!(query::classify_box(&g, Aabb::new(Vec3::NEG_ONE, Vec3::ONE)), 0);
+}
+
+#[test]
+fn the_smallest_numbers_are_not_called_positive_where_they_are_not() {
+    let g = Geometry::sphere([0.0; 3], 1e-308).unwrap().offset(1e-308).unwrap();
+    let b = Aabb::new(Vec3::new(1.05e-308, -1e-312, -1e-312), Vec3::new(4e-308, 1e-312, 1e-312));
+    assert!(g.value(Vec3::new(1.05e-308, 0.0, 0.0)) < 0.0);
+    assert_ne!(query::classify_box(&g, b), 1);
+}
+
+#[test]
+fn what_has_no_value_outside_of_its_bounds_is_not_called_outside_there() {
+    let options = ExpressionOptions { bounds: Aabb::new(Vec3::ZERO, Vec3::ONE), lipschitz: 0.0 };
+    let g = Geometry::expression("acos(y + 3) + x", &options).unwrap();
+    assert!(g.value(Vec3::new(0.5, 3.0, 0.5)).is_nan());
+    assert_eq!(query::classify_box(&g, Aabb::new(Vec3::new(0.1, 3.0, 0.1), Vec3::new(0.9, 4.0, 0.9))), 0);
 }

@@ -30,7 +30,7 @@ struct BoundingSphere {
     Bounding state; ///< What was found.
 };
 
-/// A box around a body, by halving `start` `depth` times (1 to 40) along each axis; `safety` in widths of
+/// A box around a body, by halving `start` `depth` times (1 to 16) along each axis; `safety` in widths of
 /// the finest cells. Where Geometry::bounds() is finite it is the better answer.
 inline BoundingBox bounding_box(const Geometry &g, const Box &start, std::int32_t depth, double safety = 0.0,
                                 const Run &run = {}) {

@@ -171,7 +171,7 @@ pub unsafe extern "C" fn emb_geom_smooth_difference(
 /// copies: of the memory of one, and only those near a point are asked. A period may be negative, or zero, which
 /// leaves all copies along that axis in one place. Exact where g is and its bounds are smaller than the period. Labels are g's. O(1), shares g.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, a count below 1),
-/// EMB_ERROR_UNSUPPORTED (more than 2^20 copies of a body without bounds, or of which only the sign is known).
+/// EMB_ERROR_UNSUPPORTED (more than 2^20 copies may be at one point: of a body without bounds all of them).
 /// cbindgen:ptrs-as-arrays=[[period;3], [counts;3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_repeat(

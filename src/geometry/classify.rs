@@ -10,8 +10,11 @@ use super::summary::extent;
 use crate::math::{Aabb, Interval, Vec3, length};
 
 /// Some number above, or below, zero.
-const POSITIVE: Interval = Interval { lo: f64::MIN_POSITIVE, hi: f64::INFINITY };
-const NEGATIVE: Interval = Interval { lo: f64::NEG_INFINITY, hi: -f64::MIN_POSITIVE };
+const POSITIVE: Interval = Interval { lo: LEAST, hi: f64::INFINITY };
+const NEGATIVE: Interval = Interval { lo: f64::NEG_INFINITY, hi: -LEAST };
+
+/// The least positive number.
+pub(super) const LEAST: f64 = f64::from_bits(1);
 
 impl Geometry {
     /// -1 inside, +1 outside, 0 mixed, not known, or not a box (NaN, lo > hi).
@@ -45,10 +48,12 @@ impl Geometry {
             return if value.is_nan() { Interval::ALL } else { Interval::point(value) };
         }
         let s = self.summary();
-        if self.is_apart(s.bounds, b) {
+        // What may have no value has it within its bounds at most, unless the user vouches for its distance.
+        let is_known = !s.may_fail || s.kind == Kind::Exact || s.functions;
+        if is_known && self.is_apart(s.bounds, b) {
             return POSITIVE;
         }
-        if self.is_apart(s.rest, b) {
+        if is_known && self.is_apart(s.rest, b) {
             return NEGATIVE;
         }
         let middle = self.range_from_middle(b);

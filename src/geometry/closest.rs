@@ -135,7 +135,10 @@ impl Geometry {
                 let gradient = answer.gradient * level.slope(answer.value);
                 self.derived(p, level.value(answer.value), gradient, answer)
             }
-            Node::Stencil(g, stencil) => self.derived(p, stencil.value(g, p), stencil.gradient(g, p), g.raw_closest(p)),
+            Node::Stencil(g, stencil) => {
+                let (value, gradient, middle) = stencil.closest(g, p);
+                self.derived(p, value, gradient, middle)
+            }
             Node::Part(g, label) => {
                 let answer = g.raw_closest(p);
                 Closest { part: if answer.part == NO_PART { *label } else { answer.part }, ..answer }

@@ -3,14 +3,15 @@
 //! child's bounds do not rule out, so the answer is that of the union of all of them, to the bit.
 
 use super::Geometry;
+use super::classify::LEAST;
 use super::parts::Found;
 use super::properties::Kind;
 use super::summary::{ROOT_OF_THREE, Summary, grown};
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Interval, Vec3, length};
 
-/// Copies that may have to be asked one by one where the child has no bounds.
-const MOST_UNBOUNDED: u64 = 1 << 20;
+/// Copies that may have to be asked one by one for one point.
+const MOST_AT_ONCE: f64 = 1_048_576.0;
 
 /// A box that meets more copies than this is taken as mixed.
 const MOST_IN_A_BOX: u64 = 256;
@@ -24,10 +25,16 @@ pub(super) struct Repeat {
 impl Repeat {
     pub(super) fn new(child: Geometry, period: Vec3, counts: [u32; 3]) -> Result<Repeat> {
         let repeat = Repeat { child, period, counts };
-        let copies = counts.iter().fold(1u64, |n, &c| n.saturating_mul(c.into()));
-        if !repeat.is_bounded() && copies > MOST_UNBOUNDED {
+        let bounds = repeat.child.summary().bounds;
+        // Copies that may be at one point: of a body without bounds, all.
+        let at_once = |k: usize| match repeat.is_bounded() {
+            true => ((bounds.hi[k] - bounds.lo[k]) / period[k].abs() + 2.0).min(f64::from(counts[k])),
+            false => f64::from(counts[k]),
+        };
+        let copies = at_once(0) * at_once(1) * at_once(2);
+        if copies > MOST_AT_ONCE {
             return Err(Error::unsupported(format!(
-                "counts: {copies} copies of a body without bounds, or of which only the sign is known, are more than {MOST_UNBOUNDED}"
+                "counts: {copies:.0} copies may be at one point, more than {MOST_AT_ONCE}: the period is that much smaller than the body, or the body has no bounds"
             )));
         }
         Ok(repeat)
@@ -172,7 +179,7 @@ impl Repeat {
 
     pub(super) fn range(&self, b: Aabb) -> Interval {
         let Some(shifts) = self.meeting(b, MOST_IN_A_BOX) else { return Interval::ALL };
-        let far = Interval { lo: f64::MIN_POSITIVE, hi: f64::INFINITY };
+        let far = Interval { lo: LEAST, hi: f64::INFINITY };
         // Subtraction is monotone: the shifted box holds every shifted point, rounding included.
         let ranges = shifts.into_iter().map(|d| self.child.range(Aabb::new(b.lo - d, b.hi - d)));
         ranges.fold(far, Interval::min)

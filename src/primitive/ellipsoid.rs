@@ -51,6 +51,10 @@ impl Ellipsoid {
     /// `t - 1` and `v` for a point of the first octant.
     fn solve(&self, y: Vec3) -> (f64, Vec3) {
         let n = y / self.least * (self.axes / self.least);
+        if !n.is_finite() {
+            // So far off that the axes are below the last digit.
+            return (1.0, y);
+        }
         let poles_free = (0..3).all(|i| self.k[i] > 0.0 || n[i] == 0.0);
         let sum_at_pole = squares((0..3).filter(|&i| self.k[i] > 0.0).map(|i| n[i] / self.k[i]));
         if poles_free && sum_at_pole < 1.0 {

@@ -8,8 +8,8 @@ use crate::geometry::{Geometry, Kind};
 use crate::math::{Aabb, Vec3, length};
 use crate::parallel::Run;
 
-/// Finest subdivision: cells are then at the last digits of the start box's coordinates.
-const DEEPEST: i32 = 40;
+/// Finest subdivision: around the outermost points of a round body cells twice as fine are twice as many.
+const DEEPEST: i32 = 16;
 
 /// Faces of the start box are looked at no more coarsely than this.
 const LEAST_FACE_DEPTH: i32 = 6;
@@ -28,7 +28,7 @@ pub enum Bounding<T> {
     Nothing,
 }
 
-/// A box around the body: `start` is halved `depth` times (1 to 40) along each axis, and the result widened
+/// A box around the body: `start` is halved `depth` times (1 to 16) along each axis, and the result widened
 /// by `safety` >= 0 widths of the finest cells. Right wherever boxes can be classified; a user's function of
 /// whose slope nothing is known is taken to be 1-Lipschitz. A body smaller than the finest cells is found as well.
 pub fn bounding_box(g: &Geometry, start: Aabb, depth: i32, safety: f64, run: &Run) -> Result<Bounding<Aabb>> {

@@ -177,7 +177,7 @@ static const emb_geom *hollow_parts[4];
   POINTED(call, hi, infinite, EMB_ERROR_INVALID_ARGUMENT, "start_hi[1]: 0 to inf"),                             \
   POINTED(call, hi, lo, EMB_ERROR_INVALID_ARGUMENT, "start_hi[0]: 0 to 0"),                                     \
   INTEGER(call, depth, 0, EMB_ERROR_INVALID_ARGUMENT, "depth: 0"),                                              \
-  INTEGER(call, depth, 41, EMB_ERROR_INVALID_ARGUMENT, "depth: 41"), NOT_FINITE(call, small, "safety"),         \
+  INTEGER(call, depth, 17, EMB_ERROR_INVALID_ARGUMENT, "depth: 17"), NOT_FINITE(call, small, "safety"),         \
   REAL_ONE(call, small, -1.0, "safety: -1")
 #define OUT(call) NULLED(call, out_geom, "out_geom")
 #define VECTOR(call, member, name)                                                                            \

@@ -69,6 +69,7 @@ fn ask(g: &Geometry) {
     }
     g.fingerprint();
     g.properties();
+    g.simplified(Aabb::new(Vec3::splat(-0.5), Vec3::splat(0.5))).unwrap();
 }
 
 #[test]

@@ -151,13 +151,25 @@ fn classes_of_a_repeated_body_are_those_of_its_values() {
 }
 
 #[test]
+fn too_many_copies_at_one_point_are_refused() {
+    let ball = Geometry::sphere([0.0; 3], 1.0).unwrap();
+    let error = ball.repeat([1e-7, 1e-7, 1.0], [100_000, 100_000, 2]).err().expect("refused");
+    assert_eq!(error.status(), embound::Status::Unsupported);
+    assert!(error.message().contains("copies may be at one point"), "{error}");
+    let many = ball.repeat([3.0; 3], [1_000_000; 3]).unwrap();
+    assert_eq!(many.value(Vec3::splat(2.4e6)), -1.0);
+    assert_eq!(ball.repeat([0.0; 3], [i32::MAX, 1, 1]).unwrap().value(Vec3::ZERO), -1.0);
+}
+
+#[test]
 fn a_repeated_body_is_exact_where_its_copies_keep_apart() {
     let ball = Geometry::sphere([0.3, 0.0, 0.0], 1.0).unwrap();
     for (period, kind) in [
         ([2.1, -2.1, 3.0], Kind::Exact),
         ([2.1, 2.1, 1.9], Kind::LowerBound),
         ([2.0, 3.0, 3.0], Kind::LowerBound),
-        ([0.0, 3.0, 3.0], Kind::LowerBound),
+        // Copies in one place are one.
+        ([0.0, 3.0, 3.0], Kind::Exact),
     ] {
         assert_eq!(ball.repeat(period, [2, 3, 4]).unwrap().kind(), kind, "{period:?}");
     }

@@ -72,7 +72,8 @@ impl Geometry {
         if let Some(k) = counts.iter().position(|&c| c < 1) {
             return Err(Error::invalid(format!("counts[{k}]: {} is not at least 1", counts[k])));
         }
-        let counts = counts.map(|c| c as u32);
+        // Copies in one place are one.
+        let counts: [u32; 3] = std::array::from_fn(|k| if period[k] == 0.0 { 1 } else { counts[k] as u32 });
         for k in 0..3 {
             let farthest = period[k] * f64::from(counts[k]);
             if !farthest.is_finite() {

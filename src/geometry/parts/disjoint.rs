@@ -6,19 +6,23 @@ use super::Parts;
 use super::hierarchy::as_sphere;
 use crate::math::{Aabb, Interval, length};
 
-/// Pairs whose boxes meet that are looked at more closely, for each part and in all.
-const PAIRS_A_PART: usize = 4;
-const PAIRS: usize = 64;
+/// Parts that come up beside another, for each part and in all, before it is left open.
+const NEAR_A_PART: usize = 64;
+const NEAR: usize = 1024;
 
 impl Parts {
     /// Whether it is proved that no two parts (turned: no two complements) have a point in common.
     pub(in crate::geometry) fn are_disjoint(&self) -> bool {
-        let mut left = PAIRS + PAIRS_A_PART * self.list.len();
+        let mut left = NEAR + NEAR_A_PART * self.list.len();
         (0..self.list.len()).all(|a| {
-            self.meeting(self.bounds(a)).into_iter().filter(|&b| b > a).all(|b| {
-                left = left.saturating_sub(1);
-                left > 0 && (self.misses(a, b) || self.misses(b, a) || self.balls_miss(a, b))
-            })
+            // Where parts are of very different sizes the hierarchy brings up many.
+            let (near, looked_at) = self.meeting_of(self.bounds(a));
+            left = left.saturating_sub(looked_at);
+            left > 0
+                && near
+                    .into_iter()
+                    .filter(|&b| b > a)
+                    .all(|b| self.misses(a, b) || self.misses(b, a) || self.balls_miss(a, b))
         })
     }
 

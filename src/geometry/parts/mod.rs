@@ -11,6 +11,7 @@ mod spheres;
 pub(super) use search::Found;
 
 use super::Geometry;
+use super::classify::LEAST;
 use super::summary::grown;
 use crate::error::Result;
 use crate::math::{Aabb, Interval, Vec3};
@@ -68,16 +69,22 @@ impl Parts {
 
     /// The parts, in order, whose bounds may meet a box.
     pub(super) fn meeting(&self, b: Aabb) -> Vec<usize> {
-        let mut found = Vec::new();
+        self.meeting_of(b).0
+    }
+
+    /// The same, and how many were looked at.
+    fn meeting_of(&self, b: Aabb) -> (Vec<usize>, usize) {
+        let (mut found, mut looked_at) = (Vec::new(), self.list.len());
         match &self.hierarchy {
             Some(hierarchy) => {
                 hierarchy.meeting(b, |part| found.push(part));
+                looked_at = found.len();
                 found.retain(|&part| hierarchy.is_beside(part) || !self.bounds(part).intersection(b).is_empty());
             }
             None => found.extend((0..self.list.len()).filter(|&k| !self.bounds(k).intersection(b).is_empty())),
         }
         found.sort_unstable();
-        found
+        (found, looked_at)
     }
 
     /// The least value (signs turned where all are) over a finite box. What is `beyond` or more need not be
@@ -92,7 +99,7 @@ impl Parts {
         if found.len() > MOST_IN_A_BOX {
             return Interval::ALL;
         }
-        let mut least = Interval { lo: beyond.max(f64::MIN_POSITIVE), hi: f64::INFINITY };
+        let mut least = Interval { lo: beyond.max(LEAST), hi: f64::INFINITY };
         for &part in &found {
             let range = self.list[part].range(b);
             least = least.min(if self.turned { -range } else { range });

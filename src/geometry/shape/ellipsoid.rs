@@ -4,7 +4,7 @@
 use super::rounded_box::placement;
 use super::support::{UNIT, box_around, numbers};
 use super::{Crossings, Facts, Shape};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::geometry::build::positive;
 use crate::geometry::placement::Placement;
 use crate::math::{Vec3, unit};
@@ -21,9 +21,18 @@ impl Ellipsoid {
         for (k, &e) in axes.iter().enumerate() {
             positive(&format!("semi_axes[{k}]"), e)?;
         }
+        let (least, most) = axes.iter().fold((f64::INFINITY, 0.0f64), |(a, b), &e| (a.min(e), b.max(e)));
+        if most / least > MOST_RATIO {
+            return Err(Error::invalid(format!(
+                "semi_axes: {most:e} is more than {MOST_RATIO:e} times {least:e}, which is beyond the range of numbers"
+            )));
+        }
         Ok(Ellipsoid { place, body: ellipsoid::Ellipsoid::new(Vec3::from_array(axes)) })
     }
 }
+
+/// Ratios whose squares numbers can hold with room for points.
+const MOST_RATIO: f64 = 1e100;
 
 impl Shape for Ellipsoid {
     fn value(&self, p: Vec3) -> f64 {

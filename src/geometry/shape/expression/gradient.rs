@@ -199,7 +199,8 @@ impl<N: Differentiable> Number for Gradient<N> {
 
     fn atan2(self, x: Gradient<N>) -> Gradient<N> {
         let value = N::atan2(self.value, x.value);
-        if self.value.jumps(x.value) && !(self.is_constant() && x.is_constant()) {
+        // Also where neither moves: the sign of a zero may.
+        if self.value.jumps(x.value) {
             return Gradient { value, partials: [N::unknown(); 3] };
         }
         let square = self.value.whole(2) + x.value.whole(2);

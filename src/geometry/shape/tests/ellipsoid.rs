@@ -81,3 +81,13 @@ fn shape_ellipsoid_centre_and_tips() {
     assert!(shape.value(Vec3::X * 3.5) > -0.5 && shape.gradient(Vec3::X * 3.5).z > 0.0);
     assert_eq!(shape.facts().reach_inward, 0.25);
 }
+
+#[test]
+fn axes_too_different_are_refused_and_points_too_far_for_them_answered() {
+    let error = Ellipsoid::new([0.0; 3], [1e-155, 1.0, 1.0], None).err().unwrap();
+    assert!(error.message().starts_with("semi_axes: "), "{error}");
+    let thin = Ellipsoid::new([0.0; 3], [1e-90, 1.0, 1.0], None).unwrap();
+    assert!((thin.value(Vec3::new(0.0, 2.0, 0.0)) - 1.0).abs() < 1e-12);
+    let tiny = Ellipsoid::new([0.0; 3], [1e-300, 2e-300, 3e-300], None).unwrap();
+    assert_eq!(tiny.value(Vec3::new(1e100, 0.0, 0.0)), 1e100);
+}
