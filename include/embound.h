@@ -1203,7 +1203,7 @@ emb_status emb_geom_classify_boxes(const emb_geom *g,
 // it, is taken to be 1-Lipschitz: where it is steeper the answer may be wrong. A body smaller than the finest cells is
 // found as well. Runs on the calling thread; run serves to cancel.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED. Cost: some
-// 10 to 1,000 times 2^depth values, for round and slanted bodies: depth 8 takes milliseconds, 16 a second or so.
+// 10 to 1,000 times 2^depth values, for round and slanted bodies: depth 8 takes milliseconds, 16 up to seconds.
 emb_status emb_geom_bounding_box(const emb_geom *g,
                                  const double start_lo[3],
                                  const double start_hi[3],

@@ -30,7 +30,7 @@ unsafe fn start(lo: *const f64, hi: *const f64) -> Result<Aabb> {
 /// it, is taken to be 1-Lipschitz: where it is steeper the answer may be wrong. A body smaller than the finest cells is
 /// found as well. Runs on the calling thread; run serves to cancel.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED. Cost: some
-/// 10 to 1,000 times 2^depth values, for round and slanted bodies: depth 8 takes milliseconds, 16 a second or so.
+/// 10 to 1,000 times 2^depth values, for round and slanted bodies: depth 8 takes milliseconds, 16 up to seconds.
 /// cbindgen:ptrs-as-arrays=[[start_lo;3], [start_hi;3], [out_lo;3], [out_hi;3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_bounding_box(
