@@ -10,7 +10,7 @@ use super::summary::extent;
 use crate::math::{Aabb, Interval, Vec3, length};
 
 /// Some number above, or below, zero.
-const POSITIVE: Interval = Interval { lo: LEAST, hi: f64::INFINITY };
+pub(super) const POSITIVE: Interval = Interval { lo: LEAST, hi: f64::INFINITY };
 const NEGATIVE: Interval = Interval { lo: f64::NEG_INFINITY, hi: -LEAST };
 
 /// The least positive number.

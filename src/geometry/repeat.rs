@@ -3,7 +3,7 @@
 //! child's bounds do not rule out, so the answer is that of the union of all of them, to the bit.
 
 use super::Geometry;
-use super::classify::LEAST;
+use super::classify::POSITIVE;
 use super::parts::Found;
 use super::properties::Kind;
 use super::summary::{ROOT_OF_THREE, Summary, grown};
@@ -179,10 +179,9 @@ impl Repeat {
 
     pub(super) fn range(&self, b: Aabb) -> Interval {
         let Some(shifts) = self.meeting(b, MOST_IN_A_BOX) else { return Interval::ALL };
-        let far = Interval { lo: LEAST, hi: f64::INFINITY };
         // Subtraction is monotone: the shifted box holds every shifted point, rounding included.
         let ranges = shifts.into_iter().map(|d| self.child.range(Aabb::new(b.lo - d, b.hi - d)));
-        ranges.fold(far, Interval::min)
+        ranges.fold(POSITIVE, Interval::min)
     }
 
     pub(super) fn summary(&self) -> Summary {

@@ -123,15 +123,20 @@ impl Parts {
         if near.found.is_empty() || !near.least.0.value.is_finite() { vec![near.least.0] } else { near.found }
     }
 
-    /// Without a hierarchy.
-    fn ask_all(&self, p: Vec3, sink: &mut impl Sink) {
-        for part in 0..self.list.len() {
+    /// Asks parts one after another, until one has no value.
+    fn ask(&self, parts: impl Iterator<Item = usize>, p: Vec3, sink: &mut impl Sink) {
+        for part in parts {
             let value = self.signed(part, p);
             sink.offer(value, part);
             if value.is_nan() {
                 return;
             }
         }
+    }
+
+    /// Without a hierarchy.
+    fn ask_all(&self, p: Vec3, sink: &mut impl Sink) {
+        self.ask(0..self.list.len(), p, sink);
     }
 
     #[inline(never)]
@@ -145,13 +150,7 @@ impl Parts {
 
     /// The parts that are always asked.
     fn ask_beside(&self, hierarchy: &Hierarchy, p: Vec3, sink: &mut impl Sink) {
-        for &part in &hierarchy.beside {
-            let value = self.signed(part as usize, p);
-            sink.offer(value, part as usize);
-            if value.is_nan() {
-                return;
-            }
-        }
+        self.ask(hierarchy.beside.iter().map(|&part| part as usize), p, sink);
     }
 
     fn search_others(&self, hierarchy: &Hierarchy, p: Vec3, sink: &mut impl Sink) {
