@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Readers and writers. Formats are found by content, not by name.
 
+mod detect;
 mod file;
+mod obj;
+mod ply;
 mod stl;
+mod vtk;
+mod vtp;
+mod words;
 
 use crate::error::{Error, Result};
-use crate::mesh::{Mesh, MeshOptions};
+use crate::mesh::{Input, Mesh, MeshOptions, build};
 use std::path::Path;
 
 /// A file format of meshes.
@@ -16,19 +22,33 @@ pub enum Format {
     Detect,
     /// STL, ASCII or binary.
     Stl,
+    /// PLY, ASCII or binary of either byte order.
+    Ply,
+    /// Wavefront OBJ.
+    Obj,
+    /// Legacy VTK PolyData, ASCII or binary.
+    Vtk,
+    /// XML VTK PolyData (.vtp), ASCII, binary or appended.
+    Vtp,
 }
 
-/// Reads a mesh from a file. STL: a triangle's tag is the number of its solid, from 0; binary files are
-/// one solid.
+/// Reads a mesh from a file; see [`read_memory`].
 ///
 /// # Errors
 /// [`Status::Io`](crate::Status) with the path and the system's reason; [`Status::Parse`](crate::Status)
 /// with the path and what [`read_memory`] says.
 pub fn read(path: &Path, format: Format, options: &MeshOptions) -> Result<Mesh> {
     options.check()?;
+    read_input(path, format).and_then(|input| build(input, options).map_err(|e| named(path, &e)))
+}
+
+fn read_input(path: &Path, format: Format) -> Result<Input> {
     let bytes = file::read(path)?;
-    read_memory(&bytes, format, options)
-        .map_err(|e| Error::new(e.status(), format!("{}: {}", path.display(), e.message())))
+    parse(&bytes, format).map_err(|e| named(path, &e))
+}
+
+fn named(path: &Path, e: &Error) -> Error {
+    Error::new(e.status(), format!("{}: {}", path.display(), e.message()))
 }
 
 /// Reads a mesh from the bytes of a file. 100,000 triangles of binary STL take tens of milliseconds.
@@ -39,25 +59,40 @@ pub fn read(path: &Path, format: Format, options: &MeshOptions) -> Result<Mesh> 
 /// the format does not have. [`Status::InvalidArgument`](crate::Status) naming an option out of its range.
 pub fn read_memory(bytes: &[u8], format: Format, options: &MeshOptions) -> Result<Mesh> {
     options.check()?;
-    match format {
-        Format::Detect | Format::Stl => stl::read(bytes, options),
+    build(parse(bytes, format)?, options)
+}
+
+/// What a file holds.
+fn parse(bytes: &[u8], format: Format) -> Result<Input> {
+    if bytes.is_empty() {
+        return Err(Error::parse("offset 0: the file is empty"));
+    }
+    match if format == Format::Detect { detect::format(bytes)? } else { format } {
+        Format::Detect | Format::Stl => stl::read(bytes),
+        Format::Ply => ply::read(bytes),
+        Format::Obj => obj::read(bytes),
+        Format::Vtk => vtk::read(bytes),
+        Format::Vtp => vtp::read(bytes),
     }
 }
 
-/// Writes the triangles of the surface as it stands: binary STL for `.stl`, in any case. The file
-/// appears under its name when it is complete.
+/// Writes the surface as it stands, in the format that the extension names, in any case: `.stl` (binary).
+/// The file appears under its name when it is complete.
 ///
 /// # Errors
 /// [`Status::Unsupported`](crate::Status) for another extension, and for a coordinate beyond the range of
 /// the f32 of STL; [`Status::Io`](crate::Status) with the path and the system's reason.
 pub fn write(mesh: &Mesh, path: &Path) -> Result<()> {
-    let extension = path.extension().unwrap_or_default();
-    if !extension.eq_ignore_ascii_case("stl") {
-        return Err(Error::unsupported(format!(
-            "{}: the extension \"{}\" is of no format that can be written",
-            path.display(),
-            extension.display()
-        )));
-    }
-    file::write(path, &stl::write(mesh)?)
+    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+    let bytes = match extension.to_str() {
+        Some("stl") => stl::write(mesh),
+        Some("ply") => ply::write(mesh),
+        Some("obj") => obj::write(mesh),
+        Some("vtk") => vtk::write(mesh),
+        _ => {
+            let what = format!("the extension \"{}\" is of no format that can be written", extension.display());
+            return Err(named(path, &Error::unsupported(what)));
+        }
+    };
+    file::write(path, &bytes.map_err(|e| named(path, &e))?)
 }

@@ -2,8 +2,8 @@
 //! The caller's arrays, checked.
 
 use super::MeshOptions;
-use super::build::Input;
 use super::faces::Faces;
+use super::input::Input;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::math::Vec3;
 
@@ -45,7 +45,7 @@ pub(super) fn check(
     }
     let mut own_tags = try_with_capacity("tags", tags.map_or(0, <[i32]>::len))?;
     own_tags.extend_from_slice(tags.unwrap_or(&[]));
-    Ok(Input { positions, faces, tags: own_tags, blame: Status::InvalidArgument })
+    Ok(Input { tags: own_tags, ..Input::new(positions, faces, Status::InvalidArgument) })
 }
 
 fn positions(xyz: &[f64]) -> Result<Vec<Vec3>> {

@@ -3,20 +3,27 @@
 
 use super::Triangle;
 use super::faces::{Faces, filled, starts_from_counts};
-use crate::error::Result;
+use crate::error::{Result, try_with_capacity};
 use std::cmp::Ordering;
 
 /// Faces that repeat an earlier one: the same ring of vertices, from whichever corner (for triangles: the
 /// same vertices). The lowest of each is not marked.
-pub(super) struct Repeats {
-    /// Whichever way the earlier one runs.
-    pub either_way: Vec<bool>,
-    /// Where the earlier one runs the same way.
-    pub same_way: Vec<bool>,
+pub(crate) struct Repeats {
+    /// For each face the earliest of its copies, whichever way it runs: itself where there is none.
+    pub either_way: Vec<u32>,
+    /// The earliest of those that run the same way.
+    pub same_way: Vec<u32>,
+}
+
+impl Repeats {
+    /// Faces that repeat an earlier one, whichever way.
+    pub fn count(&self) -> usize {
+        self.either_way.iter().enumerate().filter(|(f, first)| *f != **first as usize).count()
+    }
 }
 
 /// Finds them in near linear time.
-pub(super) fn find(faces: &Faces, vertices: usize) -> Result<Repeats> {
+pub(crate) fn find(faces: &Faces, vertices: usize) -> Result<Repeats> {
     let lowest = |face: &[u32]| face.iter().copied().min().unwrap_or(0) as usize;
     let mut bucket = filled("vertices", vertices + 1, 0u32)?;
     for face in faces.iter() {
@@ -29,8 +36,10 @@ pub(super) fn find(faces: &Faces, vertices: usize) -> Result<Repeats> {
         order[*slot as usize] = f as u32;
         *slot += 1;
     }
-    let mut repeats =
-        Repeats { either_way: filled("faces", faces.len(), false)?, same_way: filled("faces", faces.len(), false)? };
+    let mut repeats = Repeats { either_way: try_with_capacity("faces", faces.len())?, same_way: Vec::new() };
+    repeats.either_way.extend(0..faces.len() as u32);
+    repeats.same_way = try_with_capacity("faces", faces.len())?;
+    repeats.same_way.extend(0..faces.len() as u32);
     let forward = |f: u32| runs_forward(faces.face(f as usize));
     let compare = |f: &u32, g: &u32| compare_rings(faces.face(*f as usize), faces.face(*g as usize));
     let mut begin = 0;
@@ -40,8 +49,10 @@ pub(super) fn find(faces: &Faces, vertices: usize) -> Result<Repeats> {
             group.sort_unstable_by(|f, g| compare(f, g).then(f.cmp(g)));
             for copies in group.chunk_by(|f, g| compare(f, g) == Ordering::Equal) {
                 for (k, &copy) in copies.iter().enumerate().skip(1) {
-                    repeats.either_way[copy as usize] = true;
-                    repeats.same_way[copy as usize] = copies[..k].iter().any(|&f| forward(f) == forward(copy));
+                    repeats.either_way[copy as usize] = copies[0];
+                    if let Some(first) = copies[..k].iter().find(|&&f| forward(f) == forward(copy)) {
+                        repeats.same_way[copy as usize] = *first;
+                    }
                 }
             }
         }
@@ -50,17 +61,15 @@ pub(super) fn find(faces: &Faces, vertices: usize) -> Result<Repeats> {
     Ok(repeats)
 }
 
-/// Leaves out what is marked.
-pub(super) fn leave_out(faces: &Faces, triangles: &[Triangle], repeats: &[bool]) -> Result<(Faces, Vec<Triangle>)> {
+/// Leaves out what repeats an earlier one by `first`; `Triangle::face` then counts in what is left.
+pub(super) fn leave_out(faces: &Faces, triangles: &[Triangle], first: &[u32]) -> Result<(Faces, Vec<Triangle>)> {
     let mut kept = Faces::with_capacity(faces.len(), faces.corners.len())?;
-    let mut kept_triangles = crate::error::try_with_capacity("triangles", triangles.len())?;
-    let mut new = filled("faces", faces.len(), 0u32)?;
-    for f in (0..faces.len()).filter(|&f| !repeats[f]) {
-        new[f] = kept.len() as u32;
+    let mut kept_triangles = try_with_capacity("triangles", triangles.len())?;
+    for f in (0..faces.len()).filter(|&f| first[f] as usize == f) {
+        let face = kept.len() as u32;
         kept.push(faces.face(f), faces.input[f]);
+        kept_triangles.extend(triangles[faces.triangles_of(f)].iter().map(|t| Triangle { face, ..*t }));
     }
-    let of_kept = triangles.iter().filter(|t| !repeats[t.face as usize]);
-    kept_triangles.extend(of_kept.map(|t| Triangle { face: new[t.face as usize], ..*t }));
     Ok((kept, kept_triangles))
 }
 
@@ -83,7 +92,7 @@ fn canonical(ring: &[u32]) -> impl Iterator<Item = u32> {
 }
 
 /// Which way a face runs through its ring.
-fn runs_forward(face: &[u32]) -> bool {
+pub(super) fn runs_forward(face: &[u32]) -> bool {
     least_reading(face).1 == 1
 }
 

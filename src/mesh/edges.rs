@@ -96,9 +96,9 @@ pub(crate) fn excess(corners: &[u32], edge: &[u32]) -> usize {
     same.abs_diff(edge.len() - same)
 }
 
-/// Turns faces over; each keeps its first corner.
-pub(crate) fn turn_over(faces: &mut Faces, turned: &[bool]) {
+/// Turns faces over: what belongs to their corners is read the other way round, from the same first corner.
+pub(crate) fn turn_over(start: &[u32], of_corners: &mut [u32], turned: &[bool]) {
     for (f, _) in turned.iter().enumerate().filter(|(_, turn)| **turn) {
-        faces.corners[faces.start[f] as usize + 1..faces.start[f + 1] as usize].reverse();
+        of_corners[start[f] as usize + 1..start[f + 1] as usize].reverse();
     }
 }

@@ -28,6 +28,18 @@ impl Faces {
         self.input.push(input);
     }
 
+    /// The same from an iterator.
+    pub fn push_all(&mut self, corners: impl Iterator<Item = u32>, input: u32) {
+        self.corners.extend(corners);
+        self.start.push(self.corners.len() as u32);
+        self.input.push(input);
+    }
+
+    /// The triangles that a face is cut into, where all triangles are in the order of the faces.
+    pub fn triangles_of(&self, f: usize) -> std::ops::Range<usize> {
+        self.start[f] as usize - 2 * f..self.start[f + 1] as usize - 2 * (f + 1)
+    }
+
     /// How many.
     pub fn len(&self) -> usize {
         self.input.len()

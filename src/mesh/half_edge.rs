@@ -6,7 +6,7 @@ use super::faces::{Faces, filled, starts_from_counts};
 use crate::error::Result;
 use std::ops::Range;
 
-/// The topology of a mesh as it stands: oriented, without duplicate and collapsed faces; faces keep all
+/// The topology of a mesh as it stands: oriented, without collapsed faces; faces keep all
 /// their corners.
 ///
 /// The half-edges of a face have consecutive numbers, in its order. A half-edge has a twin where its edge
@@ -47,6 +47,11 @@ impl HalfEdges {
         Ok(HalfEdges { faces, of_half_edge, twin, outgoing_start: start, outgoing })
     }
 
+    /// The faces and their corners.
+    pub(crate) fn faces(&self) -> &Faces {
+        &self.faces
+    }
+
     /// How many half-edges.
     pub fn count(&self) -> usize {
         self.twin.len()
@@ -60,6 +65,11 @@ impl HalfEdges {
     /// The input face that a face comes from.
     pub fn input_face(&self, face: u32) -> u32 {
         self.faces.input[face as usize]
+    }
+
+    /// The face that comes from an input face, where there is one. O(log n).
+    pub fn face_of_input(&self, input: u32) -> Option<u32> {
+        self.faces.input.binary_search(&input).ok().map(|f| f as u32)
     }
 
     /// The vertices of a face, counter-clockwise seen from outside.

@@ -28,15 +28,46 @@ pub(super) fn corners(vertices: &[Vec3], t: &Triangle) -> [Vec3; 3] {
     t.vertices.map(|v| vertices[v as usize])
 }
 
-/// Area of a triangle, and signed volume of the cone from `apex` over it.
-pub(super) fn area_and_cone([a, b, c]: [Vec3; 3], apex: Vec3) -> (f64, f64) {
-    let cross = (b - a).cross(c - a);
-    (0.5 * length(cross), (a - apex).dot(cross) * (1.0 / 6.0))
+/// Twice the area vector of a triangle.
+pub(super) fn twice_area([a, b, c]: [Vec3; 3]) -> Vec3 {
+    (b - a).cross(c - a)
+}
+
+/// The flux of the field (x, 0, 0) through a surface: by the divergence theorem the volume it encloses, if it
+/// is closed. Summed about the plane x = `origin`, where the rounding of a part far away from 0 is small.
+pub(super) struct Flux {
+    about_origin: Sum,
+    /// Twice the area as seen along x: of a closed surface nothing.
+    shadow: Sum,
+    origin: f64,
+}
+
+impl Flux {
+    pub fn new(origin: f64) -> Flux {
+        Flux { about_origin: Sum::default(), shadow: Sum::default(), origin }
+    }
+
+    /// Adds a triangle, given with its [`twice_area`].
+    pub fn add(&mut self, [a, b, c]: [Vec3; 3], twice_area: Vec3) {
+        let thrice = (a.x - self.origin) + (b.x - self.origin) + (c.x - self.origin);
+        self.about_origin.add(thrice * twice_area.x * (1.0 / 6.0));
+        self.shadow.add(twice_area.x);
+    }
+
+    /// The flux, of a surface that is closed, or at least winds around everything a whole number of times.
+    pub fn closed(&self) -> f64 {
+        self.about_origin.value()
+    }
+
+    /// The flux of any surface.
+    pub fn open(&self) -> f64 {
+        self.about_origin.value() + 0.5 * self.origin * self.shadow.value()
+    }
 }
 
 /// Area of a triangle.
-pub(super) fn area([a, b, c]: [Vec3; 3]) -> f64 {
-    0.5 * length((b - a).cross(c - a))
+pub(super) fn area(corners: [Vec3; 3]) -> f64 {
+    0.5 * length(twice_area(corners))
 }
 
 /// Signed volume of the cone from `apex` over a triangle.

@@ -3,10 +3,14 @@
 
 mod arrays;
 mod build;
+mod clean;
+mod copies;
+mod data;
 mod duplicates;
 mod edges;
 mod faces;
 mod half_edge;
+mod input;
 mod measure;
 mod nesting;
 mod options;
@@ -16,9 +20,12 @@ mod report;
 mod triangulate;
 mod weld;
 
-pub(crate) use build::LARGEST_COORDINATE;
-pub(crate) use faces::Sets;
+pub(crate) use build::{LARGEST_COORDINATE, build};
+pub(crate) use data::Data;
+pub use data::{Field, FieldType};
+pub(crate) use faces::{Faces, Sets};
 pub use half_edge::HalfEdges;
+pub(crate) use input::Input;
 pub use options::{MeshOptions, Orient};
 
 use crate::error::Result;
@@ -63,8 +70,8 @@ pub struct Report {
     pub degenerate_faces: usize,
     /// Faces that repeat an earlier one, in either winding.
     pub duplicate_faces: usize,
-    /// Signed volume of the cones from the centre of the bounds over all triangles; of a closed and
-    /// consistent mesh, the volume it encloses, negative where it is inside out.
+    /// Flux of the field (x, 0, 0) through the faces as they run: of a closed and consistent mesh, the
+    /// volume it encloses, negative where it is inside out; of an open one it depends on where the mesh lies.
     pub volume: f64,
     /// Area of all faces.
     pub area: f64,
@@ -74,8 +81,8 @@ pub struct Report {
     pub hi: [f64; 3],
 }
 
-/// The topology of the surface as it stands, after orientation and without duplicate faces: what a
-/// sign needs to know.
+/// The topology of the surface as it stands, after orientation and without faces that repeat others: what
+/// a sign needs to know.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Surface {
     /// Edges of one face.
@@ -85,7 +92,7 @@ pub struct Surface {
     /// Edges that are not crossed as often in one direction as in the other (boundary edges included):
     /// zero means that the winding number is an integer everywhere off the surface.
     pub unbalanced_edges: usize,
-    /// Signed volume of the triangles as they stand: negative where KEEP left the mesh inside out.
+    /// Signed volume of a closed mesh as it stands: negative where KEEP left it inside out.
     pub volume: f64,
 }
 
@@ -110,6 +117,12 @@ pub struct Mesh {
     triangles: Vec<Triangle>,
     /// None at all where every tag is 0.
     tags: Vec<i32>,
+    tag_names: Vec<(i32, String)>,
+    data: Data,
+    /// Numbers of input faces are below this.
+    face_count: usize,
+    /// Input faces that lost corners by welding.
+    shrunk: Vec<u32>,
     half_edges: HalfEdges,
     report: Report,
     surface: Surface,
@@ -149,11 +162,6 @@ impl Mesh {
         build::build(arrays::check(xyz, Some(offsets), indices, tags, options)?, options)
     }
 
-    /// Triangles whose vertices have been read from a file, three each.
-    pub(crate) fn from_soup(positions: Vec<Vec3>, tags: Vec<i32>, options: &MeshOptions) -> Result<Mesh> {
-        build::soup(positions, tags, options)
-    }
-
     /// Vertices after transformation and welding, ordered by the lowest input vertex of each; none is
     /// unused and no coordinate is -0.0.
     pub fn vertices(&self) -> &[Vec3] {
@@ -161,9 +169,9 @@ impl Mesh {
     }
 
     /// Triangles of the surface as it stands: oriented, ordered by input face. Left out are faces that
-    /// welding left fewer than three corners, and copies (the lowest input face stays; the wall between two
-    /// bodies in contact, given by each of them, stays whole). Triangles of zero area stay: the topology
-    /// needs them.
+    /// welding left fewer than three corners; nothing else is. (A geometry made of the mesh takes one of each
+    /// set of copies: the lowest input face; the wall between two bodies in contact, given by each of them,
+    /// stays whole.)
     pub fn triangles(&self) -> &[Triangle] {
         &self.triangles
     }
@@ -173,14 +181,52 @@ impl Mesh {
         self.triangles.len()
     }
 
-    /// The number of input faces.
+    /// The number of input faces: their numbers are below it.
     pub fn face_count(&self) -> usize {
-        self.report.faces
+        self.face_count
     }
 
     /// The tag of an input face; 0 where no tags were given and for faces that do not exist.
     pub fn tag(&self, face: u32) -> i32 {
         self.tags.get(face as usize).copied().unwrap_or(0)
+    }
+
+    /// The names of tags, ascending by tag: those of the file's solids, groups, or of the files.
+    pub fn tag_names(&self) -> &[(i32, String)] {
+        &self.tag_names
+    }
+
+    /// The name of a tag, where it has one.
+    pub fn tag_name(&self, tag: i32) -> Option<&str> {
+        let at = self.tag_names.binary_search_by_key(&tag, |(t, _)| *t).ok()?;
+        Some(&self.tag_names[at].1)
+    }
+
+    /// Named data of the vertices: item v is vertex v's. Where welding joined vertices of different values (a
+    /// seam), item v is what the lowest corner has, and the items from the count of vertices on are those of
+    /// other corners.
+    pub fn vertex_fields(&self) -> &[Field] {
+        &self.data.vertex
+    }
+
+    /// Named data of the faces, by the number of the input face.
+    pub fn face_fields(&self) -> &[Field] {
+        &self.data.face
+    }
+
+    /// Data of vertices and faces, with their seams.
+    pub(crate) fn data(&self) -> &Data {
+        &self.data
+    }
+
+    /// Input faces that welding took corners from, ascending; those left with fewer than three are gone.
+    pub fn shrunk_faces(&self) -> &[u32] {
+        &self.shrunk
+    }
+
+    /// The triangles that a face of [`Mesh::half_edges`] is cut into, as indices of [`Mesh::triangles`].
+    pub fn triangles_of(&self, face: u32) -> std::ops::Range<usize> {
+        self.half_edges.faces().triangles_of(face as usize)
     }
 
     /// The topology of the faces of the surface, which keep all their corners.
@@ -198,7 +244,7 @@ impl Mesh {
         &self.report
     }
 
-    /// Of the surface as it stands: what a sign needs to know.
+    /// Of the surface as it stands, without faces that repeat others: what a sign needs to know.
     pub fn surface(&self) -> Surface {
         self.surface
     }

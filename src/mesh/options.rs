@@ -28,7 +28,7 @@ pub struct MeshOptions {
     /// Shift, after scale and rotation; finite.
     pub shift: [f64; 3],
     /// Vertices nearer than this times the diagonal become one, and so do chains of them; 0: those with
-    /// equal positions (-0.0 equals 0.0). Otherwise between 1e-12 and 0.5.
+    /// equal positions (-0.0 equals 0.0); -1: none. Otherwise between 1e-12 and 0.5.
     pub weld_tolerance: f64,
     /// Orientation.
     pub orient: Orient,
@@ -59,8 +59,10 @@ impl MeshOptions {
             return Err(Error::invalid(format!("options.shift[{k}]: {} is not finite", self.shift[k])));
         }
         let w = self.weld_tolerance;
-        if !(w == 0.0 || (1e-12..=0.5).contains(&w)) {
-            return Err(Error::invalid(format!("options.weld_tolerance: {w} is neither 0 nor between 1e-12 and 0.5")));
+        if !(w == 0.0 || w == -1.0 || (1e-12..=0.5).contains(&w)) {
+            return Err(Error::invalid(format!(
+                "options.weld_tolerance: {w} is neither 0, nor -1, nor between 1e-12 and 0.5"
+            )));
         }
         if self.index_base > 1 {
             return Err(Error::invalid(format!("options.index_base: {} is neither 0 nor 1", self.index_base)));

@@ -3,15 +3,15 @@
 
 use super::edges::{Edges, excess};
 use super::faces::{Faces, Sets, filled};
-use super::measure::{Sum, area_and_cone, corners};
+use super::measure::{Flux, Sum, corners, twice_area};
 use super::{Report, Surface, Triangle};
 use crate::error::Result;
-use crate::math::Vec3;
+use crate::math::{Vec3, length};
 use crate::primitive::polygon;
 
 impl Report {
     /// Counts edges and components, after [`Report::measure`]. Faces that welding collapsed have left `faces` already.
-    pub(super) fn count(&mut self, faces: &Faces, edges: &Edges, of_half_edge: &[u32]) -> Result<()> {
+    pub(super) fn count(&mut self, faces: &Faces, edges: &Edges, of_half_edge: &[u32], flux: Flux) -> Result<()> {
         let mut sets = Sets::new(faces.len())?;
         let mut balanced = true;
         for edge in edges.iter() {
@@ -29,6 +29,7 @@ impl Report {
         self.components = (0..faces.len() as u32).filter(|&f| sets.find(f) == f).count();
         self.closed = self.boundary_edges == 0;
         self.consistent = self.inconsistent_edges == 0;
+        self.volume = if balanced { flux.closed() } else { flux.open() };
         self.inside_out = balanced && self.volume < 0.0;
         Ok(())
     }
@@ -38,28 +39,27 @@ impl Report {
         self.components == 1 && self.duplicate_faces + self.nonmanifold_edges + self.inconsistent_edges == 0
     }
 
-    /// Volume, area, and the faces of zero area.
+    /// Area, and the faces of zero area; the flux for [`Report::count`].
     pub(super) fn measure(
         &mut self,
         vertices: &[Vec3],
         faces: &Faces,
         triangles: &[Triangle],
         center: Vec3,
-    ) -> Result<()> {
+    ) -> Result<Flux> {
         let mut flat = filled("faces", faces.len(), true)?;
-        let (mut total, mut enclosed) = (Sum::default(), Sum::default());
+        let (mut total, mut flux) = (Sum::default(), Flux::new(center.x));
         for t in triangles {
             let [a, b, c] = corners(vertices, t);
-            let (area, cone) = area_and_cone([a, b, c], center);
-            total.add(area);
-            enclosed.add(cone);
+            let twice = twice_area([a, b, c]);
+            total.add(0.5 * length(twice));
+            flux.add([a, b, c], twice);
             let flat = &mut flat[t.face as usize];
             *flat = *flat && polygon::are_collinear(a, b, c);
         }
         self.area = total.value();
-        self.volume = enclosed.value();
         self.degenerate_faces += flat.iter().filter(|f| **f).count();
-        Ok(())
+        Ok(flux)
     }
 }
 

@@ -18,6 +18,17 @@ pub(super) struct Welded {
     pub of: Vec<u32>,
 }
 
+/// Every used vertex for itself.
+pub(super) fn keep_all(positions: &[Vec3], used: &[bool]) -> Result<Welded> {
+    let mut welded = Welded { vertices: Vec::new(), of: filled("vertices", positions.len(), UNUSED)? };
+    welded.vertices.try_reserve_exact(positions.len()).map_err(|_| Error::memory("vertices", positions.len()))?;
+    for (i, &p) in positions.iter().enumerate().filter(|(i, _)| used[*i]) {
+        welded.of[i] = welded.vertices.len() as u32;
+        welded.vertices.push(p);
+    }
+    Ok(welded)
+}
+
 /// Welds the used vertices with equal positions. `positions` hold no -0.0.
 pub(super) fn weld_equal(positions: &[Vec3], used: &[bool]) -> Result<Welded> {
     let mut welded = Welded { vertices: Vec::new(), of: filled("vertices", positions.len(), UNUSED)? };

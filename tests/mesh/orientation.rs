@@ -29,6 +29,17 @@ fn an_outward_body_stays_as_given() {
     }
 }
 
+fn assert_copies_run_alike(mesh: &Mesh) {
+    let rotated = |t: [u32; 3]| {
+        let least = (0..3).min_by_key(|&k| t[k]).unwrap();
+        [t[least], t[(least + 1) % 3], t[(least + 2) % 3]]
+    };
+    let mut seen = std::collections::HashMap::new();
+    for t in mesh.triangles() {
+        assert_eq!(*seen.entry(sorted(t.vertices)).or_insert(rotated(t.vertices)), rotated(t.vertices));
+    }
+}
+
 #[test]
 fn flips_and_copies_in_any_mixture_become_closed_consistent_and_outward() {
     for body in [bodies::icosphere(2), bodies::plate(2, 2, 0.2, 0.4, 2), bodies::leaning_pyramid(), bodies::bracket()] {
@@ -42,7 +53,8 @@ fn flips_and_copies_in_any_mixture_become_closed_consistent_and_outward() {
         ] {
             let mesh = dirty.mesh();
             assert_eq!(mesh.surface().unbalanced_edges + mesh.surface().nonmanifold_edges, 0);
-            assert_eq!(mesh.triangle_count(), body.triangles.len());
+            assert_eq!(mesh.triangle_count(), dirty.triangles.len(), "nothing is left out");
+            assert_copies_run_alike(&mesh);
             assert!(close(mesh.surface().volume, body.mesh().surface().volume));
             assert_same_inside(&mesh, &body);
         }

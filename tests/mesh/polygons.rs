@@ -41,7 +41,7 @@ fn a_prism_keeps_its_faces_and_is_cut_into_triangles() {
 }
 
 #[test]
-fn flipped_and_repeated_polygons_are_repaired() {
+fn flipped_and_repeated_polygons_are_oriented() {
     let (xyz, offsets, mut indices) = prism(&L_SHAPE, 2.0);
     let clean = soup_of(&polygons(&(xyz.clone(), offsets.clone(), indices.clone())).unwrap());
     for f in [1, 4, 6] {
@@ -54,7 +54,7 @@ fn flipped_and_repeated_polygons_are_repaired() {
     longer.push(indices.len() + 6);
     indices.extend(cap);
     let mesh = polygons(&(xyz, longer, indices)).unwrap();
-    assert_eq!((mesh.report().duplicate_faces, mesh.half_edges().face_count()), (1, 8));
+    assert_eq!((mesh.report().duplicate_faces, mesh.half_edges().face_count()), (1, 9));
     assert_eq!(mesh.surface().unbalanced_edges, 0);
     assert_same_inside(&mesh, &clean);
 }
@@ -66,7 +66,7 @@ fn polygons_of_the_same_corners_in_another_order_are_not_copies() {
     let rings = [[0u32, 1, 2, 3, 4], [0, 4, 1, 2, 3], [2, 1, 0, 4, 3]];
     let mesh = Mesh::from_polygons(&xyz, &[0, 5, 10, 15], &rings.concat(), None, &MeshOptions::default()).unwrap();
     assert_eq!(mesh.report().duplicate_faces, 1);
-    assert_eq!(mesh.half_edges().face_count(), 2);
+    assert_eq!(mesh.half_edges().face_count(), 3, "a mesh keeps its copies");
 }
 
 #[test]

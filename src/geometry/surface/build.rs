@@ -15,6 +15,8 @@ impl Surface {
     /// Builds the distance to a mesh. O(n log n), the check that it does not pass through itself included.
     pub(crate) fn new(mesh: &Mesh, options: &SdfOptions, run: &Run) -> Result<Surface> {
         let sign = choose_sign(mesh, options)?;
+        let distinct = mesh.without_copies()?;
+        let mesh = distinct.as_ref().unwrap_or(mesh);
         let mut surface = assemble(mesh, sign)?;
         if surface.sign == Sign::Pseudonormal {
             surface.distrust_unclear_normals(mesh);

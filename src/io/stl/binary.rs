@@ -59,7 +59,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles> {
         let [a, b, c, d, e, f, g, h, i] = numbers;
         corners.extend([Vec3::new(a, b, c), Vec3::new(d, e, f), Vec3::new(g, h, i)]);
     }
-    Ok(Triangles { corners, solids: Vec::new() })
+    Ok(Triangles { corners, ..Triangles::default() })
 }
 
 /// The bytes of a file with the triangles of the surface as it stands.

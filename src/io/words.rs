@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Text formats word by word: any white space, LF, CRLF or CR, and the line for the message.
+
+use crate::error::{Error, Result};
+use crate::math::Vec3;
+use crate::mesh::LARGEST_COORDINATE;
+use std::str::FromStr;
+
+/// The words of a text, and the line they are in.
+#[derive(Clone)]
+pub(super) struct Words<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: usize,
+}
+
+impl<'a> Words<'a> {
+    /// The words of a file, after its byte order mark.
+    pub fn new(bytes: &'a [u8]) -> Words<'a> {
+        Words { bytes: bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), at: 0, line: 1 }
+    }
+
+    /// The line of the last word, from 1.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The next word; empty at the end.
+    pub fn next(&mut self) -> &'a [u8] {
+        while let Some(&b) = self.bytes.get(self.at) {
+            if !is_space(b) {
+                break;
+            }
+            self.pass(b);
+        }
+        let start = self.at;
+        while self.bytes.get(self.at).is_some_and(|&b| !is_space(b)) {
+            self.at += 1;
+        }
+        &self.bytes[start..self.at]
+    }
+
+    /// What is left of the line, without white space around it; not UTF-8 becomes U+FFFD.
+    pub fn rest_of_line(&mut self) -> String {
+        let start = self.at;
+        while let Some(&b) = self.bytes.get(self.at)
+            && b != b'\n'
+            && b != b'\r'
+        {
+            self.at += 1;
+        }
+        String::from_utf8_lossy(&self.bytes[start..self.at]).trim().to_owned()
+    }
+
+    /// Steps over white space. CRLF counts once.
+    fn pass(&mut self, b: u8) {
+        let ends_line = b == b'\n' || (b == b'\r' && self.bytes.get(self.at + 1) != Some(&b'\n'));
+        self.line += usize::from(ends_line);
+        self.at += 1;
+    }
+
+    /// Three coordinates.
+    pub fn position(&mut self) -> Result<Vec3> {
+        Ok(Vec3::new(self.coordinate()?, self.coordinate()?, self.coordinate()?))
+    }
+
+    /// A finite coordinate.
+    pub fn coordinate(&mut self) -> Result<f64> {
+        let word = self.next();
+        let x = self.parsed::<f64>(word, "a number")?;
+        if !x.is_finite() || x.abs() > LARGEST_COORDINATE {
+            return Err(self.unexpected(word, "a finite coordinate"));
+        }
+        Ok(x)
+    }
+
+    /// The value of a word, or an error that says what was wanted.
+    pub fn parsed<T: FromStr>(&self, word: &[u8], wanted: &str) -> Result<T> {
+        let value = std::str::from_utf8(word).ok().and_then(|w| w.parse().ok());
+        value.ok_or_else(|| self.unexpected(word, wanted))
+    }
+
+    /// Nothing where the word is the wanted one, in any case.
+    pub fn require(&self, word: &[u8], wanted: &str) -> Result<()> {
+        if word.eq_ignore_ascii_case(wanted.as_bytes()) { Ok(()) } else { Err(self.unexpected(word, wanted)) }
+    }
+
+    /// The error at a word that should have been something else.
+    pub fn unexpected(&self, word: &[u8], wanted: &str) -> Error {
+        if word.is_empty() {
+            return Error::parse(format!("line {}: the file ends where {wanted} should be", self.line));
+        }
+        let shown = String::from_utf8_lossy(&word[..word.len().min(40)]);
+        Error::parse(format!("line {}: \"{shown}\" is not {wanted}", self.line))
+    }
+}
+
+fn is_space(b: u8) -> bool {
+    b == b' ' || (b'\t'..=b'\r').contains(&b)
+}
