@@ -43,6 +43,9 @@ pub struct emb_closest_out {
     /// 0: the inside of the triangle; 1, 2, 3: its edge from corner 0 to 1, 1 to 2, 2 to 0; 4, 5, 6: its corner 0, 1, 2
     /// (corners as for barycentric); -1: not a mesh, or none so near.
     pub feature: *mut i32,
+    /// Which of the triangles that the input face was cut into, from 0 in the order of emb_mesh_triangles: 0 where the
+    /// face is a triangle; -1: not a mesh, or none so near.
+    pub piece: *mut i32,
 }
 
 // SAFETY: repr(C), size first, numbers and pointers.
@@ -59,6 +62,7 @@ unsafe impl Versioned for emb_closest_out {
         part: ptr::null_mut(),
         tag: ptr::null_mut(),
         feature: ptr::null_mut(),
+        piece: ptr::null_mut(),
     };
 }
 
@@ -181,6 +185,7 @@ pub(super) struct ClosestWriter {
     part: Option<Writer<i32>>,
     tag: Option<Writer<i32>>,
     feature: Option<Writer<i32>>,
+    piece: Option<Writer<i32>>,
 }
 
 impl ClosestWriter {
@@ -198,6 +203,7 @@ impl ClosestWriter {
             part: optional("out.part", out.part, count)?,
             tag: optional("out.tag", out.tag, count)?,
             feature: optional("out.feature", out.feature, count)?,
+            piece: optional("out.piece", out.piece, count)?,
         })
     }
 
@@ -210,6 +216,7 @@ impl ClosestWriter {
         put(&self.part, start, results, |r| r.part);
         put(&self.tag, start, results, |r| r.tag);
         put(&self.feature, start, results, |r| r.feature);
+        put(&self.piece, start, results, |r| r.piece);
     }
 }
 

@@ -4,9 +4,12 @@
 
 use super::Geometry;
 use super::node::Node;
+use super::placement::Placement;
 use super::properties::{FunctionOptions, Kind};
 use super::segment::{NO_PART, NO_TAG};
 use super::shape::Shape;
+use super::surface::{Nearest, Surface};
+use super::value::DEEPEST_BLOCK;
 use crate::math::{Aabb, Vec3, positive_zero};
 
 /// What is known of the nearest piece of surface.
@@ -22,6 +25,9 @@ pub struct Closest {
     pub barycentric: Vec3,
     /// Index of the input face; -1 off meshes.
     pub primitive: i64,
+    /// Which of the triangles that the face was cut into, from 0 in the order of [`crate::mesh::Mesh::triangles`];
+    /// -1 off meshes.
+    pub piece: i32,
     /// The innermost label; -1 where there is none.
     pub part: i32,
     /// Tag of the input face; -1 off meshes.
@@ -39,6 +45,7 @@ impl Closest {
             gradient: Vec3::NAN,
             barycentric: Vec3::NAN,
             primitive: -1,
+            piece: -1,
             part: NO_PART,
             tag: NO_TAG,
             feature: -1,
@@ -50,6 +57,47 @@ impl Closest {
     fn moved(self, by: impl Fn(Vec3) -> Vec3) -> Closest {
         Closest { point: by(self.point), ..self }
     }
+
+    fn placed(self, placement: &Placement) -> Closest {
+        Closest {
+            value: placement.scale() * self.value,
+            gradient: placement.direction(self.gradient),
+            ..self.moved(|q| placement.to_space(q))
+        }
+    }
+
+    fn complemented(self) -> Closest {
+        Closest { value: 0.0 - self.value, gradient: -self.gradient, ..self }
+    }
+
+    fn labelled(self, label: i32) -> Closest {
+        Closest { part: if self.part == NO_PART { label } else { self.part }, ..self }
+    }
+
+    /// Without negative zeros, and nothing known where the value is not.
+    fn finished(mut self) -> Closest {
+        self.value = positive_zero(self.value);
+        // Adding zero turns -0.0 into +0.0.
+        self.point += Vec3::ZERO;
+        self.gradient += Vec3::ZERO;
+        if self.value.is_nan() { Closest::only(f64::NAN) } else { self }
+    }
+}
+
+fn on_surface(surface: &Surface, p: Vec3, nearest: &Nearest) -> Closest {
+    let (feature, barycentric) = surface.as_input(nearest);
+    let value = surface.signed(p, nearest);
+    Closest {
+        value,
+        point: nearest.point,
+        gradient: surface.gradient(p, nearest, value),
+        barycentric,
+        primitive: i64::from(surface.face(nearest.triangle)),
+        piece: surface.piece(nearest.triangle) as i32,
+        part: NO_PART,
+        tag: surface.tag(nearest.triangle),
+        feature: feature as i32,
+    }
 }
 
 impl Geometry {
@@ -59,12 +107,17 @@ impl Geometry {
         if !p.is_finite() {
             return Closest::only(f64::NAN);
         }
-        let mut answer = self.raw_closest(p);
-        answer.value = positive_zero(answer.value);
-        // Adding zero turns -0.0 into +0.0.
-        answer.point += Vec3::ZERO;
-        answer.gradient += Vec3::ZERO;
-        if answer.value.is_nan() { Closest::only(f64::NAN) } else { answer }
+        self.raw_closest(p).finished()
+    }
+
+    /// The closest points of many: the bits of [`Geometry::closest`].
+    pub(crate) fn closest_many(&self, points: &[Vec3], out: &mut [Closest]) {
+        if self.summary().depth <= DEEPEST_BLOCK && points.iter().all(|p| p.is_finite()) {
+            self.raw_closest_many(points, out);
+            out.iter_mut().for_each(|answer| *answer = answer.finished());
+        } else {
+            points.iter().zip(out).for_each(|(p, answer)| *answer = self.closest(*p));
+        }
     }
 
     /// Gradient of the value.
@@ -80,21 +133,7 @@ impl Geometry {
         match self.node() {
             Node::Shape(_) | Node::Surface(_) if !p.is_finite() => Closest::only(f64::NAN),
             Node::Sphere(_) | Node::Shape(_) => self.stepped(p, self.raw_value(p), self.gradient(p)),
-            Node::Surface(surface) => {
-                let nearest = surface.nearest(p);
-                let (feature, barycentric) = surface.as_input(&nearest);
-                let value = surface.signed(p, &nearest);
-                Closest {
-                    value,
-                    point: nearest.point,
-                    gradient: surface.gradient(p, &nearest, value),
-                    barycentric,
-                    primitive: i64::from(surface.face(nearest.triangle)),
-                    part: NO_PART,
-                    tag: surface.tag(nearest.triangle),
-                    feature: feature as i32,
-                }
-            }
+            Node::Surface(surface) => on_surface(surface, p, &surface.nearest(p)),
             Node::Function { function, options } => {
                 let known = function.gradient(p);
                 let gradient = known.unwrap_or_else(|| self.difference_quotient(p, options));
@@ -113,19 +152,9 @@ impl Geometry {
                 let shift = repeat.copy(repeat.least(p).part);
                 repeat.child().raw_closest(p - shift).moved(|q| q + shift)
             }
-            Node::Complement(g) => {
-                let answer = g.raw_closest(p);
-                Closest { value: 0.0 - answer.value, gradient: -answer.gradient, ..answer }
-            }
+            Node::Complement(g) => g.raw_closest(p).complemented(),
             Node::Translate(g, shift) => g.raw_closest(p - *shift).moved(|q| q + *shift),
-            Node::Place(g, placement) => {
-                let answer = g.raw_closest(placement.to_body(p));
-                Closest {
-                    value: placement.scale() * answer.value,
-                    gradient: placement.direction(answer.gradient),
-                    ..answer.moved(|q| placement.to_space(q))
-                }
-            }
+            Node::Place(g, placement) => g.raw_closest(placement.to_body(p)).placed(placement),
             Node::Map(g, map) => {
                 let answer = g.raw_closest(map.point(p));
                 self.derived(p, map.value(p, answer.value), map.gradient(p, answer.value, answer.gradient), answer)
@@ -139,10 +168,26 @@ impl Geometry {
                 let (value, gradient, middle) = stencil.closest(g, p);
                 self.derived(p, value, gradient, middle)
             }
-            Node::Part(g, label) => {
-                let answer = g.raw_closest(p);
-                Closest { part: if answer.part == NO_PART { *label } else { answer.part }, ..answer }
+            Node::Part(g, label) => g.raw_closest(p).labelled(*label),
+        }
+    }
+
+    /// The same at many finite points. What leads to one mesh asks it for a few points side by side.
+    fn raw_closest_many(&self, points: &[Vec3], out: &mut [Closest]) {
+        let mut inner = |g: &Geometry, to_body: &dyn Fn(Vec3) -> Vec3, back: &dyn Fn(Closest) -> Closest| {
+            let inside: Vec<Vec3> = points.iter().map(|p| to_body(*p)).collect();
+            g.raw_closest_many(&inside, out);
+            out.iter_mut().for_each(|answer| *answer = back(*answer));
+        };
+        match self.node() {
+            Node::Surface(surface) if points.iter().all(|p| p.is_finite()) => {
+                surface.for_each_nearest(points, |k, nearest| out[k] = on_surface(surface, points[k], nearest));
             }
+            Node::Complement(g) => inner(g, &|p| p, &Closest::complemented),
+            Node::Translate(g, shift) => inner(g, &|p| p - *shift, &|c| c.moved(|q| q + *shift)),
+            Node::Place(g, placement) => inner(g, &|p| placement.to_body(p), &|c| c.placed(placement)),
+            Node::Part(g, label) => inner(g, &|p| p, &|c| c.labelled(*label)),
+            _ => points.iter().zip(out).for_each(|(p, answer)| *answer = self.raw_closest(*p)),
         }
     }
 

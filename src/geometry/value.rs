@@ -7,7 +7,7 @@ use super::shape::Shape;
 use crate::math::{Vec3, positive_zero};
 
 /// Deeper than this, many points are asked for one after another: blocks need stack.
-const DEEPEST_BLOCK: usize = 32;
+pub(super) const DEEPEST_BLOCK: usize = 32;
 
 /// Unions of more parts than this are asked for point by point.
 const MOST_BLOCK_PARTS: usize = 16;

@@ -11,7 +11,7 @@ mod vtp;
 mod words;
 
 use crate::error::{Error, Result};
-use crate::mesh::{Input, Mesh, MeshOptions, build};
+use crate::mesh::{Input, JoinTags, Mesh, MeshOptions, build, join};
 use std::path::Path;
 
 /// A file format of meshes.
@@ -40,6 +40,31 @@ pub enum Format {
 pub fn read(path: &Path, format: Format, options: &MeshOptions) -> Result<Mesh> {
     options.check()?;
     read_input(path, format).and_then(|input| build(input, options).map_err(|e| named(path, &e)))
+}
+
+/// Reads several files into one mesh. With [`JoinTags::Renumber`] every tag of every file has a number of its
+/// own; a file without names of tags lends its own name, without folder and extension, and with
+/// [`JoinTags::ByMesh`] every file does. Face f of a file has the number f plus the faces of those before it.
+///
+/// # Errors
+/// Those of [`read`] and of [`Mesh::join`].
+pub fn read_files(paths: &[&Path], format: Format, tags: JoinTags, options: &MeshOptions) -> Result<Mesh> {
+    options.check()?;
+    if paths.is_empty() {
+        return Err(Error::invalid("paths: none: a mesh has at least one face"));
+    }
+    let mut inputs = Vec::new();
+    for path in paths {
+        let mut input = read_input(path, format)?;
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        if tags == JoinTags::ByMesh {
+            input.tag_names = vec![(0, stem)];
+        } else if tags == JoinTags::Renumber && input.tag_names.is_empty() && input.tags.is_empty() {
+            input.tag_names.push((0, stem));
+        }
+        inputs.push(input);
+    }
+    build(join(inputs, tags)?, options)
 }
 
 fn read_input(path: &Path, format: Format) -> Result<Input> {

@@ -31,9 +31,9 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     };
     let Cleaned { vertices, mut faces, source, shrunk } = clean(&input, welded)?;
     let face_count = input.face_numbers();
-    let Input { positions, faces: given, tags, tag_names, vertex_data, face_data, blame } = input;
+    let Input { positions, same_as, faces: given, tags, tag_names, vertex_data, face_data, blame, .. } = input;
     // Of a large file these are most of the memory.
-    drop((positions, given));
+    drop((positions, same_as, given));
     report.degenerate_faces = shrunk.len();
     let mut triangles = triangulate(&vertices, &faces, blame)?;
     let edges = Edges::of(vertices.len(), faces.half_edges())?;
@@ -100,8 +100,11 @@ fn weld(input: &Input, options: &MeshOptions) -> Result<(Welded, Aabb)> {
     for &v in &input.faces.corners {
         used[v as usize] = true;
     }
-    let whole = options.weld_tolerance >= 0.0;
-    let mut welded = if whole { weld_equal(&input.positions, &used)? } else { keep_all(&input.positions, &used)? };
+    let mut welded = if options.weld_tolerance >= 0.0 {
+        weld_equal(&input.positions, &used)?
+    } else {
+        keep_all(&input.positions, &input.same_as, &used)?
+    };
     let bounds = Aabb::of(welded.vertices.iter().copied());
     let diagonal = bounds.diagonal();
     if diagonal <= SMALLEST_DIAGONAL {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Named data of vertices and faces: scalars and vectors that a file or the caller attached to a surface.
 
+use super::Mesh;
 use super::faces::{Faces, filled};
 use crate::error::{Error, Result, try_with_capacity};
+use crate::math::Vec3;
 
 /// The type that the values had in the file, and have again when written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -38,6 +40,15 @@ impl Field {
     /// Where the values of an item are.
     pub fn item(&self, k: usize) -> &[f64] {
         &self.values[k * self.components..(k + 1) * self.components]
+    }
+
+    /// Fills up to a count of items with NaN.
+    pub(crate) fn pad(&mut self, items: usize) {
+        if self.values.len() < items * self.components {
+            self.values.resize(items * self.components, f64::NAN);
+            // Integers have no value that says that there is none.
+            self.kind = FieldType::F64;
+        }
     }
 
     /// The field with the items that `from` lists.
@@ -111,22 +122,100 @@ impl Data {
     }
 }
 
-/// Checks the names and sizes of fields that a caller gives.
-pub(crate) fn check_fields(what: &str, fields: &[Field], items: usize) -> Result<()> {
-    for (k, field) in fields.iter().enumerate() {
-        let Field { name, components, values, .. } = field;
-        if name.is_empty() || name.chars().any(char::is_control) {
-            return Err(Error::invalid(format!("{what}[{k}].name: \"{name}\" is empty or not one line")));
+impl Mesh {
+    /// Writes the value of a vertex field to `out`, of one number a component: at a point of the given piece
+    /// of an input face, with the barycentric weights of [`crate::geometry::Closest`]. NaN where there is no
+    /// such face or piece.
+    pub fn interpolate(&self, field: &Field, face: i64, piece: i32, barycentric: Vec3, out: &mut [f64]) {
+        out.fill(f64::NAN);
+        let Some(rows) = self.rows_of(face, piece) else { return };
+        let weighted = rows.map(|row| field.item(row as usize));
+        for (c, x) in out.iter_mut().enumerate() {
+            // An absent corner has a weight of zero, and its value, which may be NaN, none.
+            let terms = weighted.iter().zip(barycentric.to_array()).filter(|(_, w)| *w != 0.0);
+            *x = terms.map(|(item, w)| item[c] * w).sum();
         }
-        if fields[..k].iter().any(|f| f.name == *name) {
-            return Err(Error::invalid(format!("{what}[{k}].name: \"{name}\" is there already")));
+    }
+
+    /// The rows of the three corners of a piece, in the order in which the input gave them.
+    fn rows_of(&self, face: i64, piece: i32) -> Option<[u32; 3]> {
+        let f = self.half_edges.face_of_input(u32::try_from(face).ok()?)?;
+        let piece = usize::try_from(piece).ok()?;
+        let triangle = self.triangles.get(self.triangles_of(f).nth(piece)?)?;
+        let ring = self.half_edges.around_face(f);
+        let row = |v: u32| {
+            let corner = ring.clone().find(|h| self.half_edges.origin(*h) == v);
+            corner.map_or(v, |h| self.data.row(h, v))
+        };
+        let [a, b, c] = triangle.vertices.map(row);
+        Some(if triangle.turned { [a, c, b] } else { [a, b, c] })
+    }
+
+    /// The mesh with one more field, or another instead of one of the same name and place. `values` has an
+    /// item for each vertex as it stands, or for each input face.
+    ///
+    /// # Errors
+    /// [`Status::InvalidArgument`](crate::Status): a name that is empty or not one line, a count that is not
+    /// that of the vertices or faces. [`Status::Memory`](crate::Status).
+    pub fn with_field(&self, on_faces: bool, field: Field) -> Result<Mesh> {
+        let items = if on_faces { self.face_count } else { self.vertices.len() };
+        check_field(&field, items)?;
+        let mut mesh = self.copied();
+        let own = if on_faces { &mut mesh.data.face } else { &mut mesh.data.vertex };
+        own.retain(|f| f.name != field.name);
+        own.push(field);
+        if !on_faces {
+            let seams = mesh.data.seam_rows.clone();
+            if let Some(field) = mesh.data.vertex.last_mut() {
+                for v in seams {
+                    field.values.extend_from_within(v as usize * field.components..(v as usize + 1) * field.components);
+                }
+            }
         }
-        if *components == 0 || items.checked_mul(*components) != Some(values.len()) {
-            return Err(Error::invalid(format!(
-                "{what}[{k}]: {} values are not {components} for each of {items} items",
-                values.len()
-            )));
+        Ok(mesh)
+    }
+
+    /// The mesh with other tags, one for each input face, and their names, in any order.
+    ///
+    /// # Errors
+    /// [`Status::InvalidArgument`](crate::Status): a count that is not that of the faces, a tag named twice.
+    pub fn with_tags(&self, tags: &[i32], mut names: Vec<(i32, String)>) -> Result<Mesh> {
+        if tags.len() != self.face_count {
+            return Err(Error::invalid(format!("tags: {} values for {} faces", tags.len(), self.face_count)));
         }
+        names.sort();
+        if let Some(w) = names.windows(2).find(|w| w[0].0 == w[1].0) {
+            return Err(Error::invalid(format!("names: tag {} has two names", w[0].0)));
+        }
+        Ok(Mesh { tags: tags.to_vec(), tag_names: names, ..self.copied() })
+    }
+
+    fn copied(&self) -> Mesh {
+        Mesh {
+            vertices: self.vertices.clone(),
+            triangles: self.triangles.clone(),
+            tags: self.tags.clone(),
+            tag_names: self.tag_names.clone(),
+            data: self.data.clone(),
+            face_count: self.face_count,
+            shrunk: self.shrunk.clone(),
+            half_edges: self.half_edges.clone(),
+            report: self.report.clone(),
+            surface: self.surface,
+        }
+    }
+}
+
+/// Checks the name and the size of a field that a caller gives.
+fn check_field(Field { name, components, values, .. }: &Field, items: usize) -> Result<()> {
+    if name.is_empty() || name.chars().any(char::is_control) {
+        return Err(Error::invalid(format!("name: \"{name}\" is empty or not one line")));
+    }
+    if *components == 0 || items.checked_mul(*components) != Some(values.len()) {
+        return Err(Error::invalid(format!(
+            "values: {} are not {components} for each of {items} items",
+            values.len()
+        )));
     }
     Ok(())
 }

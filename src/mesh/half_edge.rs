@@ -69,6 +69,10 @@ impl HalfEdges {
 
     /// The face that comes from an input face, where there is one. O(log n).
     pub fn face_of_input(&self, input: u32) -> Option<u32> {
+        // Where no input face is gone the numbers are the same.
+        if self.faces.input.get(input as usize) == Some(&input) {
+            return Some(input);
+        }
         self.faces.input.binary_search(&input).ok().map(|f| f as u32)
     }
 

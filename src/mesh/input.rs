@@ -10,6 +10,9 @@ use crate::math::Vec3;
 /// numbered by [`Faces::input`]; tags and face data have one item for each of those numbers.
 pub(crate) struct Input {
     pub positions: Vec<Vec3>,
+    /// For each vertex the lowest one that it is known to be one with (itself: none), or none at all. Heeded
+    /// where welding is off.
+    pub same_as: Vec<u32>,
     pub faces: Faces,
     /// One for each face number, or none at all: every tag is 0.
     pub tags: Vec<i32>,
@@ -18,6 +21,8 @@ pub(crate) struct Input {
     /// By vertex as given.
     pub vertex_data: Vec<Field>,
     pub face_data: Vec<Field>,
+    /// Face numbers are below this, or below one more than the highest there is.
+    pub numbers: usize,
     /// The status where the shape itself is unfit: the argument's or the file's fault.
     pub blame: Status,
 }
@@ -26,7 +31,7 @@ impl Input {
     /// Faces without tags or data.
     pub fn new(positions: Vec<Vec3>, faces: Faces, blame: Status) -> Input {
         let (tags, tag_names, vertex_data, face_data) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Input { positions, faces, tags, tag_names, vertex_data, face_data, blame }
+        Input { positions, same_as: Vec::new(), faces, tags, tag_names, vertex_data, face_data, numbers: 0, blame }
     }
 
     /// Triangles over three vertices of their own each, as in a file without shared vertices.
@@ -39,8 +44,8 @@ impl Input {
         Ok(Input::new(positions, faces, blame))
     }
 
-    /// One more than the highest number of a face.
+    /// Face numbers are below this.
     pub fn face_numbers(&self) -> usize {
-        self.faces.input.last().map_or(0, |f| *f as usize + 1)
+        self.faces.input.last().map_or(0, |f| *f as usize + 1).max(self.numbers)
     }
 }

@@ -2,12 +2,14 @@
 //! Polygon meshes: welded vertices, half-edge topology, report, orientation, pseudonormals, tags.
 
 mod arrays;
+mod assembly;
 mod build;
 mod clean;
 mod copies;
 mod data;
 mod duplicates;
 mod edges;
+mod element;
 mod faces;
 mod half_edge;
 mod input;
@@ -20,9 +22,12 @@ mod report;
 mod triangulate;
 mod weld;
 
+pub(crate) use assembly::join;
+pub use assembly::{JoinTags, SplitBy};
 pub(crate) use build::{LARGEST_COORDINATE, build};
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};
+pub use element::{Element, Measure};
 pub(crate) use faces::{Faces, Sets};
 pub use half_edge::HalfEdges;
 pub(crate) use input::Input;

@@ -18,13 +18,17 @@ pub(super) struct Welded {
     pub of: Vec<u32>,
 }
 
-/// Every used vertex for itself.
-pub(super) fn keep_all(positions: &[Vec3], used: &[bool]) -> Result<Welded> {
+/// Every used vertex for itself, but those that are known to be one (`same_as` as in [`super::Input`]).
+pub(super) fn keep_all(positions: &[Vec3], same_as: &[u32], used: &[bool]) -> Result<Welded> {
     let mut welded = Welded { vertices: Vec::new(), of: filled("vertices", positions.len(), UNUSED)? };
     welded.vertices.try_reserve_exact(positions.len()).map_err(|_| Error::memory("vertices", positions.len()))?;
-    for (i, &p) in positions.iter().enumerate().filter(|(i, _)| used[*i]) {
-        welded.of[i] = welded.vertices.len() as u32;
-        welded.vertices.push(p);
+    for i in (0..positions.len()).filter(|i| used[*i]) {
+        let first = same_as.get(i).map_or(i, |&s| s as usize);
+        if welded.of[first] == UNUSED {
+            welded.of[first] = welded.vertices.len() as u32;
+            welded.vertices.push(positions[first]);
+        }
+        welded.of[i] = welded.of[first];
     }
     Ok(welded)
 }

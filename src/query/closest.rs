@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Closest points, with gradient, primitive, part and tag.
 
-use super::{PointSource, at_points, check, suited};
+use super::{CHUNK, PointSource, at_points, check, suited};
 use crate::error::{Error, Result};
 use crate::geometry::{Closest, Geometry};
 use crate::parallel::Run;
@@ -19,14 +19,16 @@ pub fn closest(
         return Err(Error::invalid(format!("max_distance: {max_distance} is not > 0")));
     }
     at_points(&suited(g, run), points, &|first, points| {
-        let mut answers = Vec::with_capacity(points.len());
-        for p in points {
-            let answer = g.closest(*p);
+        let mut answers = [Closest::only(0.0); CHUNK];
+        let answers = &mut answers[..points.len()];
+        g.closest_many(points, answers);
+        for (answer, p) in answers.iter_mut().zip(points) {
             check(g, answer.value, *p)?;
-            let beyond = answer.value.abs() > max_distance;
-            answers.push(if beyond { Closest::only(max_distance.copysign(answer.value)) } else { answer });
+            if answer.value.abs() > max_distance {
+                *answer = Closest::only(max_distance.copysign(answer.value));
+            }
         }
-        emit(first, &answers);
+        emit(first, answers);
         Ok(())
     })
 }

@@ -98,12 +98,13 @@ fn assemble(mesh: &Mesh, sign: Sign) -> Result<Surface> {
     let bounds = Aabb::of((0..triangles.len()).flat_map(corners));
     let normals = mesh.pseudonormals()?;
     let mut laid_out = try_with_capacity("triangles", triangles.len())?;
-    laid_out.extend(triangles.iter().zip(places).map(|(t, place)| Corners {
-        vertex: t.vertices,
-        face: t.face,
-        tag: mesh.tag(t.face),
-        place,
-        turned: t.turned,
+    let mut first = 0;
+    laid_out.extend(triangles.iter().zip(places).enumerate().map(|(k, (t, place))| {
+        if triangles[first].face != t.face {
+            first = k;
+        }
+        let piece = 2 * (k - first) as u32 + u32::from(t.turned);
+        Corners { vertex: t.vertices, face: t.face, tag: mesh.tag(t.face), place, piece }
     }));
     let mut positions = try_with_capacity("vertices", vertices.len())?;
     positions.extend_from_slice(vertices);

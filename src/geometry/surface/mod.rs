@@ -38,8 +38,15 @@ struct Corners {
     tag: i32,
     /// Block and lane, as block * 8 + lane.
     place: u32,
-    /// Whether orientation turned the face over, so that its corners 1 and 2 stand exchanged.
-    turned: bool,
+    /// Which of the triangles that the face was cut into it is, twice; plus 1 where orientation turned the
+    /// face over, so that corners 1 and 2 stand exchanged.
+    piece: u32,
+}
+
+impl Corners {
+    fn is_turned(&self) -> bool {
+        self.piece & 1 == 1
+    }
 }
 
 /// Signed or unsigned distance to a triangle surface. Immutable.
@@ -107,6 +114,11 @@ impl Surface {
         self.triangles[triangle as usize].face
     }
 
+    /// Which of the triangles that its face was cut into a triangle is.
+    pub(crate) fn piece(&self, triangle: u32) -> u32 {
+        self.triangles[triangle as usize].piece >> 1
+    }
+
     pub(crate) fn tag(&self, triangle: u32) -> i32 {
         self.triangles[triangle as usize].tag
     }
@@ -131,7 +143,7 @@ impl Surface {
             t.vertex.iter().for_each(|&v| add(u64::from(v)));
             add(u64::from(t.face));
             add(t.tag as u64);
-            add(u64::from(t.turned));
+            add(u64::from(t.piece));
         }
     }
 

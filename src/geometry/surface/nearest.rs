@@ -127,14 +127,18 @@ impl Surface {
 
     /// The signed distances of many finite points.
     pub(crate) fn values(&self, points: &[Vec3], out: &mut [f64]) {
+        self.for_each_nearest(points, |k, nearest| out[k] = self.signed(points[k], nearest));
+    }
+
+    /// The nearest triangle to each of many finite points, a few of them side by side.
+    pub(crate) fn for_each_nearest(&self, points: &[Vec3], mut take: impl FnMut(usize, &Nearest)) {
         let Some(tree) = &self.tree else {
-            points.iter().zip(out).for_each(|(p, value)| *value = self.value(*p));
-            return;
+            return points.iter().enumerate().for_each(|(k, p)| take(k, &self.nearest(*p)));
         };
-        for (points, out) in points.chunks(GROUP).zip(out.chunks_mut(GROUP)) {
+        for (g, points) in points.chunks(GROUP).enumerate() {
             let best = dispatch(SearchGroup { blocks: &self.blocks, tree, points });
-            for ((p, best), value) in points.iter().zip(best).zip(out) {
-                *value = self.signed(*p, &self.at(*p, best));
+            for (k, (p, best)) in points.iter().zip(best).enumerate() {
+                take(g * GROUP + k, &self.at(*p, best));
             }
         }
     }
@@ -152,7 +156,7 @@ impl Surface {
 
     /// Feature and barycentric coordinates in the order of the input face's corners.
     pub(crate) fn as_input(&self, nearest: &Nearest) -> (usize, Vec3) {
-        if !self.triangles[nearest.triangle as usize].turned {
+        if !self.triangles[nearest.triangle as usize].is_turned() {
             return (nearest.feature, nearest.barycentric);
         }
         let b = nearest.barycentric;

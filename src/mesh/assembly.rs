@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Meshes taken apart and put together: by tag, by component, several into one, all with their data.
+
+use super::data::Field;
+use super::faces::{Faces, Sets, filled};
+use super::{Input, Mesh, MeshOptions, Orient, build};
+use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::math::Vec3;
+use std::collections::BTreeMap;
+
+/// What tags become where several meshes become one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum JoinTags {
+    /// As they are; of several names of a tag the first stays.
+    #[default]
+    Keep,
+    /// Numbered anew from 0: mesh after mesh, each mesh's by rising tag. Names stay with what they name.
+    Renumber,
+    /// The number of the mesh.
+    ByMesh,
+}
+
+/// What a mesh is split by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SplitBy {
+    /// One mesh a tag, by rising tag.
+    Tag,
+    /// One mesh for what edges connect, by the lowest face of each.
+    Component,
+}
+
+/// The options under which a mesh that stands is built again as it is.
+fn as_it_stands() -> MeshOptions {
+    MeshOptions { weld_tolerance: -1.0, orient: Orient::Keep, ..MeshOptions::default() }
+}
+
+impl Mesh {
+    /// Several meshes as one: welded, placed and oriented as the options say. Face f of mesh k has the number
+    /// f plus the [`Mesh::face_count`]s before it. Fields of one name and place become one; where a mesh has
+    /// no such field its values are NaN.
+    ///
+    /// # Errors
+    /// [`Status::InvalidArgument`]: no mesh; options out of range; a field of one name that has different
+    /// counts of components; too many faces or vertices. [`Status::Memory`].
+    pub fn join(meshes: &[&Mesh], tags: JoinTags, options: &MeshOptions) -> Result<Mesh> {
+        options.check()?;
+        if meshes.is_empty() {
+            return Err(Error::invalid("meshes: none: a mesh has at least one face"));
+        }
+        let inputs = meshes.iter().map(|m| m.as_input()).collect::<Result<Vec<_>>>()?;
+        build(join(inputs, tags)?, options)
+    }
+
+    /// The same surface, placed, welded and oriented anew: with [`Orient::Flip`] turned over.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::join`].
+    pub fn rebuilt(&self, options: &MeshOptions) -> Result<Mesh> {
+        options.check()?;
+        build(self.as_input()?, options)
+    }
+
+    /// The mesh in parts that keep vertices, orientation, tags, names and data. Faces are numbered anew in
+    /// each, in their order.
+    ///
+    /// # Errors
+    /// [`Status::Memory`].
+    pub fn split(&self, by: SplitBy) -> Result<Vec<Mesh>> {
+        let (part_of_face, parts) = self.parts(by)?;
+        let mut members = filled("parts", parts, Vec::new())?;
+        for (f, &part) in part_of_face.iter().enumerate() {
+            members[part as usize].push(f as u32);
+        }
+        let mut marks = filled("rows", self.vertices.len() + self.data.seam_rows.len(), u32::MAX)?;
+        members.iter().map(|faces| build(self.input_of(faces, &mut marks)?, &as_it_stands())).collect()
+    }
+
+    /// The part of each face as it stands, and how many there are.
+    pub(crate) fn parts(&self, by: SplitBy) -> Result<(Vec<u32>, usize)> {
+        let topology = &self.half_edges;
+        let mut part = filled("faces", topology.face_count(), 0u32)?;
+        match by {
+            SplitBy::Tag => {
+                let mut number = BTreeMap::new();
+                let tag = |f: usize| self.tag(topology.input_face(f as u32));
+                (0..part.len()).for_each(|f| _ = number.insert(tag(f), 0));
+                (0..).zip(number.values_mut()).for_each(|(k, n)| *n = k);
+                part.iter_mut().enumerate().for_each(|(f, p)| *p = number[&tag(f)]);
+                Ok((part, number.len()))
+            }
+            SplitBy::Component => {
+                let mut sets = Sets::new(part.len())?;
+                let edges = super::edges::Edges::of(self.vertices.len(), topology.faces().half_edges())?;
+                for edge in edges.iter() {
+                    edge[1..].iter().for_each(|&h| sets.join(topology.face(edge[0]), topology.face(h)));
+                }
+                let mut count = 0;
+                for f in 0..part.len() {
+                    let first = sets.find(f as u32) as usize;
+                    part[f] = if first == f { count } else { part[first] };
+                    count += u32::from(first == f);
+                }
+                Ok((part, count as usize))
+            }
+        }
+    }
+
+    /// All faces with their numbers, as an input.
+    pub(crate) fn as_input(&self) -> Result<Input> {
+        let rows = self.vertices.len() + self.data.seam_rows.len();
+        let mut input = Input::new(try_with_capacity("vertices", rows)?, Faces::default(), Status::InvalidArgument);
+        input.positions.extend((0..rows as u32).map(|r| self.vertices[self.vertex_of_row(r) as usize]));
+        input.same_as = try_with_capacity("vertices", rows)?;
+        input.same_as.extend((0..rows as u32).map(|r| self.vertex_of_row(r)));
+        input.faces = self.half_edges.faces().clone();
+        if !self.data.row_of_corner.is_empty() {
+            input.faces.corners.copy_from_slice(&self.data.row_of_corner);
+        }
+        input.tags = self.tags.clone();
+        input.tag_names = self.tag_names.clone();
+        input.vertex_data = self.data.vertex.clone();
+        input.face_data = self.data.face.clone();
+        input.numbers = self.face_count;
+        Ok(input)
+    }
+
+    /// Some faces, numbered anew, as an input. `marks` has an item a row, all `u32::MAX`, and has that again.
+    fn input_of(&self, faces: &[u32], marks: &mut [u32]) -> Result<Input> {
+        let own = self.half_edges.faces();
+        let mut rows: Vec<u32> = Vec::new();
+        let mut mark = |row: u32| {
+            if marks[row as usize] == u32::MAX {
+                marks[row as usize] = rows.len() as u32;
+                rows.push(row);
+            }
+            marks[row as usize]
+        };
+        let corners = faces.iter().map(|&f| own.face(f as usize).len()).sum();
+        let mut out = Faces::with_capacity(faces.len(), corners)?;
+        for (number, &f) in faces.iter().enumerate() {
+            let range = self.half_edges.around_face(f);
+            // The vertex's own row first, so that a seam's rows know the vertex that they are at.
+            let ring = range.map(|h| {
+                let v = self.half_edges.origin(h);
+                mark(v);
+                mark(self.data.row(h, v))
+            });
+            out.push_all(ring, number as u32);
+        }
+        let positions: Vec<Vec3> = rows.iter().map(|&r| self.vertices[self.vertex_of_row(r) as usize]).collect();
+        let mut input = Input::new(positions, out, Status::InvalidArgument);
+        input.same_as = rows.iter().map(|&r| marks[self.vertex_of_row(r) as usize]).collect();
+        rows.iter().for_each(|&r| marks[r as usize] = u32::MAX);
+        let numbers = || faces.iter().map(|&f| self.half_edges.input_face(f));
+        if !self.tags.is_empty() {
+            input.tags.extend(numbers().map(|f| self.tag(f)));
+        }
+        input.tag_names = self.tag_names.clone();
+        for field in &self.data.vertex {
+            input.vertex_data.push(field.gathered(rows.iter().copied())?);
+        }
+        for field in &self.data.face {
+            input.face_data.push(field.gathered(numbers())?);
+        }
+        Ok(input)
+    }
+
+    /// The vertex that a row of the vertex data belongs to.
+    pub(crate) fn vertex_of_row(&self, row: u32) -> u32 {
+        let extra = (row as usize).checked_sub(self.vertices.len());
+        extra.map_or(row, |e| self.data.seam_rows[e])
+    }
+}
+
+/// Several inputs as one.
+pub(crate) fn join(mut inputs: Vec<Input>, tags: JoinTags) -> Result<Input> {
+    let vertices: usize = inputs.iter().map(|i| i.positions.len()).sum();
+    let corners: usize = inputs.iter().map(|i| i.faces.corners.len()).sum();
+    let numbers: usize = inputs.iter().map(Input::face_numbers).sum();
+    if vertices.max(corners).max(numbers) >= u32::MAX as usize {
+        return Err(Error::invalid(format!(
+            "meshes: {vertices} vertices, {corners} corners and {numbers} faces: one of them is above {}",
+            u32::MAX - 1
+        )));
+    }
+    renumber_tags(&mut inputs, tags)?;
+    let blame = inputs.first().map_or(Status::InvalidArgument, |i| i.blame);
+    let mut all = Input::new(try_with_capacity("vertices", vertices)?, Faces::with_capacity(0, corners)?, blame);
+    all.vertex_data = join_fields(&inputs, |i| (&i.vertex_data, i.positions.len()))?;
+    all.face_data = join_fields(&inputs, |i| (&i.face_data, i.face_numbers()))?;
+    let tagged = inputs.iter().any(|i| !i.tags.is_empty());
+    let known = inputs.iter().any(|i| !i.same_as.is_empty());
+    let mut first_number = 0;
+    for input in inputs {
+        let (first, count) = (all.positions.len() as u32, input.face_numbers());
+        for (face, number) in input.faces.iter().zip(&input.faces.input) {
+            all.faces.push_all(face.iter().map(|v| v + first), number + first_number);
+        }
+        if known {
+            let same = (0..input.positions.len()).map(|v| input.same_as.get(v).copied().unwrap_or(v as u32) + first);
+            all.same_as.extend(same);
+        }
+        if tagged {
+            all.tags.extend((0..count).map(|f| input.tags.get(f).copied().unwrap_or(0)));
+        }
+        all.positions.extend(input.positions);
+        for (tag, name) in input.tag_names {
+            if let Err(at) = all.tag_names.binary_search_by_key(&tag, |(t, _)| *t) {
+                all.tag_names.insert(at, (tag, name));
+            }
+        }
+        first_number += count as u32;
+    }
+    all.numbers = numbers;
+    Ok(all)
+}
+
+fn renumber_tags(inputs: &mut [Input], tags: JoinTags) -> Result<()> {
+    let mut next = 0;
+    for (k, input) in inputs.iter_mut().enumerate() {
+        let count = input.face_numbers();
+        match tags {
+            JoinTags::Keep => {}
+            JoinTags::ByMesh => {
+                input.tags = filled("tags", count, k as i32)?;
+                input.tag_names.truncate(1);
+                input.tag_names.iter_mut().for_each(|(tag, _)| *tag = k as i32);
+            }
+            JoinTags::Renumber => {
+                if input.tags.is_empty() {
+                    input.tags = filled("tags", count, 0)?;
+                }
+                let mut new = BTreeMap::new();
+                input.faces.input.iter().for_each(|f| _ = new.insert(input.tags[*f as usize], 0));
+                for number in new.values_mut() {
+                    *number = next;
+                    next += 1;
+                }
+                input.tags.iter_mut().for_each(|tag| *tag = new.get(tag).copied().unwrap_or(-1));
+                input.tag_names.retain(|(tag, _)| new.contains_key(tag));
+                input.tag_names.iter_mut().for_each(|(tag, _)| *tag = new[tag]);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The fields of all inputs, by name in the order in which they turn up.
+fn join_fields<'a>(inputs: &'a [Input], of: impl Fn(&'a Input) -> (&'a Vec<Field>, usize)) -> Result<Vec<Field>> {
+    let total = inputs.iter().map(|i| of(i).1).sum::<usize>();
+    let mut joined: Vec<Field> = Vec::new();
+    let mut filled_to = 0;
+    for input in inputs {
+        let (fields, items) = of(input);
+        for field in fields {
+            let at = match joined.iter().position(|f| f.name == field.name) {
+                Some(at) => at,
+                None => {
+                    let values = try_with_capacity("values", total * field.components)?;
+                    joined.push(Field { values, ..field.clone() });
+                    joined.len() - 1
+                }
+            };
+            let own = &mut joined[at];
+            if own.components != field.components {
+                return Err(Error::invalid(format!(
+                    "meshes: the field \"{}\" has {} components in one and {} in another",
+                    field.name, own.components, field.components
+                )));
+            }
+            if own.kind != field.kind {
+                own.kind = super::FieldType::F64;
+            }
+            own.pad(filled_to);
+            own.values.extend_from_slice(&field.values);
+        }
+        filled_to += items;
+    }
+    joined.iter_mut().for_each(|field| field.pad(total));
+    Ok(joined)
+}
