@@ -116,6 +116,51 @@
 // STL, binary or ASCII.
 #define EMB_FORMAT_STL 1
 
+// PLY, ASCII or binary of either byte order.
+#define EMB_FORMAT_PLY 2
+
+// Wavefront OBJ.
+#define EMB_FORMAT_OBJ 3
+
+// Legacy VTK PolyData, ASCII or binary.
+#define EMB_FORMAT_VTK 4
+
+// XML VTK PolyData (.vtp): ASCII, base64 or appended, compressed by zlib or not.
+#define EMB_FORMAT_VTP 5
+
+// No half-edge, vertex: in index results.
+#define EMB_NO_INDEX 4294967295
+
+// An input face, by its number.
+#define EMB_ELEMENT_FACE 0
+
+// An edge, by one of its half-edges.
+#define EMB_ELEMENT_EDGE 1
+
+// A vertex.
+#define EMB_ELEMENT_VERTEX 2
+
+// Named data of the vertices.
+#define EMB_ON_VERTICES 0
+
+// Named data of the faces.
+#define EMB_ON_FACES 1
+
+// Tags of the meshes that become one stay as they are; of several names of a tag the first stays.
+#define EMB_JOIN_KEEP 0
+
+// Tags are numbered anew from 0, mesh after mesh, each mesh's by rising tag; names go along.
+#define EMB_JOIN_RENUMBER 1
+
+// Every face's tag is the number of its mesh or file.
+#define EMB_JOIN_BY_MESH 2
+
+// One mesh a tag, by rising tag.
+#define EMB_SPLIT_TAG 0
+
+// One mesh for what edges connect, by the lowest face of each.
+#define EMB_SPLIT_COMPONENT 1
+
 // The sign method is chosen from the mesh; emb_geom_properties.sign_method tells which.
 #define EMB_SIGN_AUTO 0
 
@@ -236,7 +281,7 @@ typedef struct emb_mesh_options {
   // Shift, after scale and rotation; 0 by default.
   double shift[3];
   // Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
-  // equal positions.
+  // equal positions; -1: none.
   double weld_tolerance;
   // EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP or EMB_ORIENT_FLIP.
   int32_t orient;
@@ -302,6 +347,30 @@ typedef struct emb_mesh_report {
   // Bounds, upper corner.
   double hi[3];
 } emb_mesh_report;
+
+// What there is to measure of one face, edge or vertex of a mesh as it stands.
+typedef struct emb_mesh_measure {
+  // sizeof(emb_mesh_measure), set by the caller
+  size_t struct_size;
+  // Unit normal: of a face that of its area vector, of an edge and a vertex the pseudonormal (Baerentzen & Aanaes
+  // 2005: the sum of the normals at it, at a vertex weighted by the angle); zero where there is none.
+  double normal[3];
+  // Centroid of a face by area, middle of an edge, position of a vertex.
+  double centroid[3];
+  // Area of a face, length of an edge, 0 for a vertex.
+  double size;
+} emb_mesh_measure;
+
+// What named data of a mesh are like.
+typedef struct emb_mesh_field {
+  // sizeof(emb_mesh_field), set by the caller
+  size_t struct_size;
+  // Numbers for each vertex or face.
+  size_t components;
+  // Items: for EMB_ON_FACES one for each input face; for EMB_ON_VERTICES one for each vertex, item v that of vertex
+  // v, and behind them those of other corners of vertices whose data differ between faces (seams).
+  size_t count;
+} emb_mesh_field;
 
 // How a mesh becomes a geometry; fill it with emb_sdf_options_init.
 typedef struct emb_sdf_options {
@@ -501,6 +570,9 @@ typedef struct emb_closest_out {
   // 0: the inside of the triangle; 1, 2, 3: its edge from corner 0 to 1, 1 to 2, 2 to 0; 4, 5, 6: its corner 0, 1, 2
   // (corners as for barycentric); -1: not a mesh, or none so near.
   int32_t *feature;
+  // Which of the triangles that the input face was cut into, from 0 in the order of emb_mesh_triangles: 0 where the
+  // face is a triangle; -1: not a mesh, or none so near.
+  int32_t *piece;
 } emb_closest_out;
 
 // What emb_geom_crossings writes, over the n[axis] - 1 edges along the axis and the points of the other two
@@ -670,6 +742,226 @@ emb_mesh *emb_mesh_clone(const emb_mesh *mesh);
 
 // Gives up a reference. Geometries made from the mesh live on. NULL is fine.
 void emb_mesh_free(emb_mesh *mesh);
+
+// Vertices of the mesh as it stands, after welding; 0 for NULL. O(1).
+size_t emb_mesh_vertex_count(const emb_mesh *mesh);
+
+// Faces of the input: their numbers are below it, those of faces that welding left fewer than three corners
+// included. 0 for NULL. O(1).
+size_t emb_mesh_face_count(const emb_mesh *mesh);
+
+// Triangles that the faces as they stand are cut into; 0 for NULL. O(1).
+size_t emb_mesh_triangle_count(const emb_mesh *mesh);
+
+// Half-edges: corners of all faces as they stand; 0 for NULL. O(1).
+size_t emb_mesh_half_edge_count(const emb_mesh *mesh);
+
+// Copies the positions of the vertices first .. first + count - 1 to out_xyz (3 * count numbers). Vertices are
+// ordered by the lowest input vertex that each was welded from.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last vertex). Any thread.
+emb_status emb_mesh_vertices(const emb_mesh *mesh, size_t first, size_t count, double *out_xyz);
+
+// Copies the triangles first .. first + count - 1: out_vertices takes 3 * count vertices, counter-clockwise seen from
+// outside, out_faces the input face of each; either may be NULL. Triangles are ordered by input face, those of one
+// face together. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last triangle). Any thread.
+emb_status emb_mesh_triangles(const emb_mesh *mesh,
+                              size_t first,
+                              size_t count,
+                              uint32_t *out_vertices,
+                              int64_t *out_faces);
+
+// Copies the half-edges first .. first + count - 1: the vertex that each leaves, the half-edge that runs the other way
+// along its edge (EMB_NO_INDEX at boundary edges, at edges of more than two faces and where both faces run the same
+// way) and its input face; each array takes `count` numbers or is NULL. The half-edges of a face have consecutive
+// numbers, in its order, counter-clockwise seen from outside.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last half-edge). Any thread.
+emb_status emb_mesh_half_edges(const emb_mesh *mesh,
+                               size_t first,
+                               size_t count,
+                               uint32_t *out_origin,
+                               uint32_t *out_twin,
+                               int64_t *out_face);
+
+// Corners of an input face as it stands; 0 where the face is gone, for numbers out of range and for NULL. O(1), or
+// O(log n) where faces are gone.
+size_t emb_mesh_face_corner_count(const emb_mesh *mesh, uint64_t face);
+
+// The first half-edge of an input face; the others follow it. EMB_NO_INDEX where the face is gone, for numbers out of
+// range and for NULL. Cost as emb_mesh_face_corner_count.
+uint32_t emb_mesh_face_half_edge(const emb_mesh *mesh, uint64_t face);
+
+// Half-edges that leave a vertex: 0 for numbers out of range and for NULL. O(1).
+size_t emb_mesh_vertex_half_edge_count(const emb_mesh *mesh, uint32_t vertex);
+
+// The k-th half-edge that leaves a vertex, ascending; EMB_NO_INDEX where there is none, and for NULL. O(1).
+uint32_t emb_mesh_vertex_half_edge(const emb_mesh *mesh, uint32_t vertex, size_t k);
+
+// The vertex that a half-edge leaves; EMB_NO_INDEX for numbers out of range and for NULL. O(1).
+uint32_t emb_mesh_half_edge_origin(const emb_mesh *mesh, uint32_t half_edge);
+
+// The vertex that a half-edge leads to; EMB_NO_INDEX for numbers out of range and for NULL. O(1).
+uint32_t emb_mesh_half_edge_target(const emb_mesh *mesh, uint32_t half_edge);
+
+// The next half-edge round the face; EMB_NO_INDEX for numbers out of range and for NULL. O(1).
+uint32_t emb_mesh_half_edge_next(const emb_mesh *mesh, uint32_t half_edge);
+
+// The previous half-edge round the face; EMB_NO_INDEX for numbers out of range and for NULL. O(1).
+uint32_t emb_mesh_half_edge_previous(const emb_mesh *mesh, uint32_t half_edge);
+
+// The half-edge that runs the other way along the edge, in the other face; EMB_NO_INDEX at boundary edges, at edges of
+// more than two faces, where both faces run the same way, for numbers out of range and for NULL. O(1).
+uint32_t emb_mesh_half_edge_twin(const emb_mesh *mesh, uint32_t half_edge);
+
+// The next half-edge that leaves the same vertex, counter-clockwise seen from outside; EMB_NO_INDEX where the fan of
+// faces ends, for numbers out of range and for NULL. Going on until EMB_NO_INDEX or the first half-edge comes round
+// visits one fan; where several meet in a vertex, emb_mesh_vertex_half_edge has them all. O(1).
+uint32_t emb_mesh_half_edge_around(const emb_mesh *mesh, uint32_t half_edge);
+
+// The input face of a half-edge; -1 for numbers out of range and for NULL. O(1).
+int64_t emb_mesh_half_edge_face(const emb_mesh *mesh, uint32_t half_edge);
+
+// Measures an input face (EMB_ELEMENT_FACE), the edge of a half-edge (EMB_ELEMENT_EDGE) or a vertex
+// (EMB_ELEMENT_VERTEX); measure->struct_size is set by the caller. Cost: linear in the faces at it. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (element, or an index that has none: out of range, or a
+// face that is gone).
+emb_status emb_mesh_measure_get(const emb_mesh *mesh,
+                                int32_t element,
+                                uint64_t index,
+                                emb_mesh_measure *measure);
+
+// The signed distance from a point to one input face, to the edge of one half-edge or to one vertex, alone; negative
+// behind its normal (for an edge and a vertex the pseudonormal, from which only the sign comes). out_point, the
+// nearest point of it, may be NULL. Cost: linear in the faces at it. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (element or index as in emb_mesh_measure_get; a
+// coordinate that is not finite).
+emb_status emb_mesh_distance(const emb_mesh *mesh,
+                             int32_t element,
+                             uint64_t index,
+                             const double point[3],
+                             double *out_distance,
+                             double out_point[3]);
+
+// Copies the tags of the input faces first .. first + count - 1; 0 where the mesh has none.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last face). Any thread.
+emb_status emb_mesh_face_tags(const emb_mesh *mesh, size_t first, size_t count, int32_t *out_tags);
+
+// The different tags of the faces as they stand, ascending: *out_count of them; with `capacity` 0 that is all, else
+// out_tags takes them. Cost: O(n log n). Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the count).
+emb_status emb_mesh_tags(const emb_mesh *mesh, size_t capacity, int32_t *out_tags, size_t *out_count);
+
+// The name of a tag: of the file's solid, group or material, or of the file; "" where it has none. *out_size is its
+// size, the zero byte at the end counted; with `capacity` 0 that is all, else out_name takes it. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the size).
+emb_status emb_mesh_tag_name(const emb_mesh *mesh,
+                             int32_t tag,
+                             size_t capacity,
+                             char *out_name,
+                             size_t *out_size);
+
+// The mesh with other tags: one number for each input face (emb_mesh_face_count of them), and `name_count` names, each
+// for the tag at the same place of `named_tags`. Cost: linear; the mesh is copied.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8 or not one line; a tag
+// named twice), EMB_ERROR_MEMORY.
+emb_status emb_mesh_with_tags(const emb_mesh *mesh,
+                              const int32_t *tags,
+                              size_t name_count,
+                              const int32_t *named_tags,
+                              const char *const *names,
+                              emb_mesh **out_mesh);
+
+// How many named data the vertices (EMB_ON_VERTICES) or faces (EMB_ON_FACES) of a mesh have. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on).
+emb_status emb_mesh_field_count(const emb_mesh *mesh, int32_t on, size_t *out_count);
+
+// What the named data number k are like, and their name: *out_size is its size with the zero byte at the end; with
+// `capacity` 0 no name is written. field->struct_size is set by the caller; field may be NULL. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, k, a capacity below the size).
+emb_status emb_mesh_field_get(const emb_mesh *mesh,
+                              int32_t on,
+                              size_t k,
+                              emb_mesh_field *field,
+                              size_t capacity,
+                              char *out_name,
+                              size_t *out_size);
+
+// Copies the values of the items first .. first + count - 1 of the named data number k: components * count numbers.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, k, beyond the last item). Any thread.
+emb_status emb_mesh_field_values(const emb_mesh *mesh,
+                                 int32_t on,
+                                 size_t k,
+                                 size_t first,
+                                 size_t count,
+                                 double *out_values);
+
+// The mesh with one more named field, or another in the place of one of the same name: `components` numbers for each
+// vertex as it stands (emb_mesh_vertex_count of them) or for each input face (emb_mesh_face_count). Cost: linear; the
+// mesh is copied. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, components 0, a name that is empty,
+// not UTF-8 or not one line), EMB_ERROR_MEMORY.
+emb_status emb_mesh_with_field(const emb_mesh *mesh,
+                               int32_t on,
+                               const char *name,
+                               size_t components,
+                               const double *values,
+                               emb_mesh **out_mesh);
+
+// The named data number k at `count` points of the surface, as emb_geom_closest names them: primitive[i] and piece[i]
+// (NULL: 0, which is right where all faces are triangles), and the barycentric weights barycentric[c][i * stride] of the
+// three corners. Data of vertices are interpolated linearly, data of faces are the face's. out_values takes `components`
+// numbers a point; NaN where primitive is -1 or no face of the mesh. In a composite geometry the mesh must be the one
+// that the closest part was made of. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT (barycentric may be NULL for EMB_ON_FACES), EMB_ERROR_INVALID_ARGUMENT (on, k, stride
+// 0), EMB_ERROR_CANCELLED. Cost: linear.
+emb_status emb_mesh_interpolate(const emb_mesh *mesh,
+                                int32_t on,
+                                size_t k,
+                                size_t count,
+                                const int64_t *primitive,
+                                const int32_t *piece,
+                                const double *const barycentric[3],
+                                size_t stride,
+                                const emb_run *run,
+                                double *out_values);
+
+// Reads several files into one mesh. `tags` is EMB_JOIN_KEEP, EMB_JOIN_RENUMBER or EMB_JOIN_BY_MESH; with RENUMBER a
+// file without tags of its own lends its name, without folder and extension, to its tag, with BY_MESH every file does.
+// Face f of a file has the number f plus the faces of the files before it. Named data of one name become one; where a
+// file has none, its values are NaN. Everything else, and the errors, as in emb_mesh_read.
+emb_status emb_mesh_read_files(size_t count,
+                               const char *const *paths,
+                               int32_t tags,
+                               const emb_mesh_options *options,
+                               const emb_run *run,
+                               emb_mesh **out_mesh);
+
+// Several meshes as one, welded, placed and oriented as `options` say (NULL: defaults). `tags` as in
+// emb_mesh_read_files. Face f of mesh k has the number f plus emb_mesh_face_count of those before it. Nothing is
+// intersected: bodies that pass through each other still do (emb_geom_union is for those). Cost: near linear.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (count 0, tags, options, data of one name that differ in
+// components), EMB_ERROR_MEMORY.
+emb_status emb_mesh_join(size_t count,
+                         const emb_mesh *const *meshes,
+                         int32_t tags,
+                         const emb_mesh_options *options,
+                         emb_mesh **out_mesh);
+
+// The same surface, scaled, rotated, shifted, welded and oriented anew as `options` say: EMB_ORIENT_FLIP turns it
+// over. Face numbers, tags and data stay. Cost: near linear.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options), EMB_ERROR_MEMORY.
+emb_status emb_mesh_transform(const emb_mesh *mesh,
+                              const emb_mesh_options *options,
+                              emb_mesh **out_mesh);
+
+// The mesh in parts: EMB_SPLIT_TAG, one a tag by rising tag, or EMB_SPLIT_COMPONENT, one for what edges connect by the
+// lowest face of each. Parts keep vertices, orientation, tags, names and data; their faces are numbered anew from 0,
+// in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
+// handles, each to be freed with emb_mesh_free. Cost: near linear.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (by; a capacity below the count), EMB_ERROR_MEMORY.
+emb_status emb_mesh_split(const emb_mesh *mesh,
+                          int32_t by,
+                          size_t capacity,
+                          emb_mesh **out_meshes,
+                          size_t *out_count);
 
 // Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).

@@ -17,12 +17,14 @@
 
 #include "embound/bounding.hpp"
 #include "embound/combine.hpp"
+#include "embound/data.hpp"
 #include "embound/error.hpp"
 #include "embound/function.hpp"
 #include "embound/geometry.hpp"
 #include "embound/mesh.hpp"
 #include "embound/run.hpp"
 #include "embound/shapes.hpp"
+#include "embound/topology.hpp"
 #include "embound/transforms.hpp"
 #include "embound/views.hpp"
 

@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 20] = [
     "constants",
     "error",
     "callback",
@@ -22,6 +22,9 @@ const SOURCES: [&str; 17] = [
     "writer",
     "results",
     "mesh",
+    "topology",
+    "data",
+    "assembly",
     "geometry",
     "shapes",
     "sampled",

@@ -83,6 +83,7 @@ struct ClosestOut {
     Span<std::int32_t> part;        ///< The body's label, -1: none.
     Span<std::int32_t> tag;         ///< The face's tag.
     Span<std::int32_t> feature;     ///< 0 face, 1-3 edge, 4-6 vertex, -1 not a mesh.
+    Span<std::int32_t> piece;       ///< Which of the triangles that the face was cut into.
 };
 
 /// What closest() returns, one element for each point; see ClosestOut.
@@ -95,6 +96,7 @@ struct Closest {
     std::vector<std::int32_t> part;      ///< The body's label, -1: none.
     std::vector<std::int32_t> tag;       ///< The face's tag.
     std::vector<std::int32_t> feature;   ///< 0 face, 1-3 edge, 4-6 vertex, -1 not a mesh.
+    std::vector<std::int32_t> piece;     ///< Which of the triangles that the face was cut into.
 };
 
 /// Where crossings() writes, arrays of Lattice::edge_shape(axis); what is empty is not wanted.

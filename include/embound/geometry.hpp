@@ -99,6 +99,7 @@ public:
         c.part = detail::wanted("out.part", out.part, n);
         c.tag = detail::wanted("out.tag", out.tag, n);
         c.feature = detail::wanted("out.feature", out.feature, n);
+        c.piece = detail::wanted("out.piece", out.piece, n);
         detail::call(run, [&](const emb_run *r) {
             return emb_geom_closest(handle_, n, points.x(), points.y(), points.z(), points.stride(), max_distance, r, &c);
         });
@@ -109,9 +110,10 @@ public:
         const std::size_t n = points.count();
         Closest all{detail::vector_of<double>(n),       detail::vector_of<Point>(n),        detail::vector_of<Point>(n),
                     detail::vector_of<Point>(n),        detail::vector_of<std::int64_t>(n), detail::vector_of<std::int32_t>(n),
-                    detail::vector_of<std::int32_t>(n), detail::vector_of<std::int32_t>(n)};
+                    detail::vector_of<std::int32_t>(n), detail::vector_of<std::int32_t>(n), detail::vector_of<std::int32_t>(n)};
         closest(points,
-                ClosestOut{all.value, all.point, all.gradient, all.barycentric, all.primitive, all.part, all.tag, all.feature},
+                ClosestOut{all.value, all.point, all.gradient, all.barycentric, all.primitive, all.part, all.tag,
+                           all.feature, all.piece},
                 max_distance, run);
         return all;
     }

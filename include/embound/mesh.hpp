@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace embound {
 
@@ -25,7 +26,7 @@ struct MeshOptions {
     double scale = 1.0;                   ///< Uniform, > 0.
     Matrix rotation = identity;           ///< Row major.
     Point shift{0.0, 0.0, 0.0};           ///< After scale and rotation.
-    double weld_tolerance = 0.0;          ///< Nearer vertices become one, as a part of the diagonal; 0: equal positions.
+    double weld_tolerance = 0.0;          ///< Nearer vertices become one, as a part of the diagonal; 0: equal positions, -1: none.
     Orient orient = Orient::Auto;         ///< Orientation.
     std::int32_t format = EMB_FORMAT_DETECT; ///< EMB_FORMAT_DETECT: found by content.
     std::int32_t index_base = 0;          ///< First index of index arrays: 0 or 1.
@@ -43,6 +44,19 @@ struct MeshOptions {
         options.index_base = index_base;
         return options;
     }
+};
+
+/// What tags become where several meshes become one.
+enum class JoinTags : std::int32_t {
+    Keep = EMB_JOIN_KEEP,         ///< As they are; of several names of a tag the first stays.
+    Renumber = EMB_JOIN_RENUMBER, ///< Numbered anew from 0, mesh after mesh; names go along.
+    ByMesh = EMB_JOIN_BY_MESH     ///< The number of the mesh or file.
+};
+
+/// What a mesh is split by.
+enum class SplitBy : std::int32_t {
+    Tag = EMB_SPLIT_TAG,            ///< One mesh a tag, by rising tag.
+    Component = EMB_SPLIT_COMPONENT ///< One mesh for what edges connect.
 };
 
 /// A polygon mesh: immutable, so any number of threads may use one at once. A copy is another
@@ -104,6 +118,68 @@ public:
         return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) {
             return emb_mesh_from_polygons(vertices, xyz.data(), faces, offsets.data(), indices.data(), tag, &c, out);
         }));
+    }
+
+    /// Reads several files into one mesh.
+    static Mesh read_files(const std::vector<std::string> &paths, JoinTags tags = JoinTags::Renumber,
+                           const MeshOptions &options = {}, const Run &run = {}) {
+        std::vector<const char *> names;
+        for (const std::string &path : paths) {
+            names.push_back(path.c_str());
+        }
+        const emb_mesh_options c = options.c();
+        return from(run, [&](const emb_run *r, emb_mesh **out) {
+            return emb_mesh_read_files(names.size(), names.data(), static_cast<std::int32_t>(tags), &c, r, out);
+        });
+    }
+
+    /// Several meshes as one, welded, placed and oriented as the options say.
+    static Mesh join(const std::vector<Mesh> &meshes, JoinTags tags = JoinTags::Renumber, const MeshOptions &options = {}) {
+        std::vector<const emb_mesh *> parts;
+        for (const Mesh &mesh : meshes) {
+            parts.push_back(mesh.get());
+        }
+        const emb_mesh_options c = options.c();
+        return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) {
+            return emb_mesh_join(parts.size(), parts.data(), static_cast<std::int32_t>(tags), &c, out);
+        }));
+    }
+
+    /// The same surface, placed, welded and oriented anew.
+    Mesh transform(const MeshOptions &options) const {
+        const emb_mesh_options c = options.c();
+        return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) { return emb_mesh_transform(get(), &c, out); }));
+    }
+
+    /// In parts, which keep orientation, tags and data; faces are numbered anew in each.
+    std::vector<Mesh> split(SplitBy by) const {
+        std::size_t count = 0;
+        check(emb_mesh_split(get(), static_cast<std::int32_t>(by), 0, nullptr, &count));
+        std::vector<emb_mesh *> handles(count);
+        check(emb_mesh_split(get(), static_cast<std::int32_t>(by), count, handles.data(), &count));
+        std::vector<Mesh> parts;
+        for (emb_mesh *handle : handles) {
+            parts.emplace_back(handle);
+        }
+        return parts;
+    }
+
+    std::size_t vertex_count() const noexcept { return emb_mesh_vertex_count(get()); }     ///< Vertices after welding.
+    std::size_t face_count() const noexcept { return emb_mesh_face_count(get()); }         ///< Numbers of input faces.
+    std::size_t triangle_count() const noexcept { return emb_mesh_triangle_count(get()); } ///< Triangles of all faces.
+
+    /// The positions of all vertices.
+    std::vector<Point> vertices() const {
+        std::vector<Point> positions = detail::vector_of<Point>(vertex_count());
+        check(emb_mesh_vertices(get(), 0, positions.size(), detail::flat(positions.data())));
+        return positions;
+    }
+
+    /// The vertices of all triangles, three each, counter-clockwise seen from outside.
+    std::vector<std::uint32_t> triangles() const {
+        std::vector<std::uint32_t> corners = detail::vector_of<std::uint32_t>(3 * triangle_count());
+        check(emb_mesh_triangles(get(), 0, triangle_count(), corners.data(), nullptr));
+        return corners;
     }
 
     /// Writes a file of the format its extension names.

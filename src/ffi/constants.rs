@@ -51,6 +51,41 @@ pub const EMB_ORIENT_FLIP: i32 = 2;
 pub const EMB_FORMAT_DETECT: i32 = 0;
 /// STL, binary or ASCII.
 pub const EMB_FORMAT_STL: i32 = 1;
+/// PLY, ASCII or binary of either byte order.
+pub const EMB_FORMAT_PLY: i32 = 2;
+/// Wavefront OBJ.
+pub const EMB_FORMAT_OBJ: i32 = 3;
+/// Legacy VTK PolyData, ASCII or binary.
+pub const EMB_FORMAT_VTK: i32 = 4;
+/// XML VTK PolyData (.vtp): ASCII, base64 or appended, compressed by zlib or not.
+pub const EMB_FORMAT_VTP: i32 = 5;
+
+/// No half-edge, vertex: in index results.
+pub const EMB_NO_INDEX: u32 = 0xFFFFFFFF;
+
+/// An input face, by its number.
+pub const EMB_ELEMENT_FACE: i32 = 0;
+/// An edge, by one of its half-edges.
+pub const EMB_ELEMENT_EDGE: i32 = 1;
+/// A vertex.
+pub const EMB_ELEMENT_VERTEX: i32 = 2;
+
+/// Named data of the vertices.
+pub const EMB_ON_VERTICES: i32 = 0;
+/// Named data of the faces.
+pub const EMB_ON_FACES: i32 = 1;
+
+/// Tags of the meshes that become one stay as they are; of several names of a tag the first stays.
+pub const EMB_JOIN_KEEP: i32 = 0;
+/// Tags are numbered anew from 0, mesh after mesh, each mesh's by rising tag; names go along.
+pub const EMB_JOIN_RENUMBER: i32 = 1;
+/// Every face's tag is the number of its mesh or file.
+pub const EMB_JOIN_BY_MESH: i32 = 2;
+
+/// One mesh a tag, by rising tag.
+pub const EMB_SPLIT_TAG: i32 = 0;
+/// One mesh for what edges connect, by the lowest face of each.
+pub const EMB_SPLIT_COMPONENT: i32 = 1;
 
 /// The sign method is chosen from the mesh; emb_geom_properties.sign_method tells which.
 pub const EMB_SIGN_AUTO: i32 = 0;

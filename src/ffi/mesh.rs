@@ -2,7 +2,10 @@
 //! Meshes.
 
 use super::arrays::{elements, path, slice};
-use super::constants::{EMB_FORMAT_DETECT, EMB_FORMAT_STL, EMB_ORIENT_AUTO, EMB_ORIENT_FLIP, EMB_ORIENT_KEEP};
+use super::constants::{
+    EMB_FORMAT_DETECT, EMB_FORMAT_OBJ, EMB_FORMAT_PLY, EMB_FORMAT_STL, EMB_FORMAT_VTK, EMB_FORMAT_VTP, EMB_ORIENT_AUTO,
+    EMB_ORIENT_FLIP, EMB_ORIENT_KEEP,
+};
 use super::error::{emb_status, guard, plain};
 use super::handle::{Handle, give, lend, release, share, writable};
 use super::run::{emb_run, with_run};
@@ -36,7 +39,7 @@ pub struct emb_mesh_options {
     /// Shift, after scale and rotation; 0 by default.
     pub shift: [f64; 3],
     /// Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
-    /// equal positions.
+    /// equal positions; -1: none.
     pub weld_tolerance: f64,
     /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP or EMB_ORIENT_FLIP.
     pub orient: i32,
@@ -132,7 +135,7 @@ unsafe impl Versioned for emb_mesh_report {
 ///
 /// # Safety
 /// `given` is NULL or points to a struct of the size that it states.
-unsafe fn options(given: *const emb_mesh_options) -> Result<(MeshOptions, Format)> {
+pub(super) unsafe fn options(given: *const emb_mesh_options) -> Result<(MeshOptions, Format)> {
     // SAFETY: the caller's promise.
     let given = unsafe { versioned::read_or_default("options", given) }?;
     let orient = match given.orient {
@@ -144,6 +147,10 @@ unsafe fn options(given: *const emb_mesh_options) -> Result<(MeshOptions, Format
     let format = match given.format {
         EMB_FORMAT_DETECT => Format::Detect,
         EMB_FORMAT_STL => Format::Stl,
+        EMB_FORMAT_PLY => Format::Ply,
+        EMB_FORMAT_OBJ => Format::Obj,
+        EMB_FORMAT_VTK => Format::Vtk,
+        EMB_FORMAT_VTP => Format::Vtp,
         other => return Err(Error::invalid(format!("options.format: {other} is not an EMB_FORMAT_*"))),
     };
     let index_base = match given.index_base {

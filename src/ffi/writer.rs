@@ -142,6 +142,9 @@ impl<T: Copy> Writer<T> {
 
     /// Writes the elements of (i, j, k), (i+1, j, k), ... Each element is written once during a call.
     pub(super) fn put(&self, [i, j, k]: [usize; 3], items: impl ExactSizeIterator<Item = T>) {
+        if items.len() == 0 {
+            return;
+        }
         let [nx, ny, nz] = self.extent;
         assert!(i <= nx && items.len() <= nx - i && j < ny && k < nz, "a result outside the array");
         let [sx, sy, sz] = self.stride;

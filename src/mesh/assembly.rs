@@ -75,8 +75,16 @@ impl Mesh {
         members.iter().map(|faces| build(self.input_of(faces, &mut marks)?, &as_it_stands())).collect()
     }
 
+    /// How many parts [`Mesh::split`] gives.
+    ///
+    /// # Errors
+    /// [`Status::Memory`].
+    pub fn part_count(&self, by: SplitBy) -> Result<usize> {
+        Ok(self.parts(by)?.1)
+    }
+
     /// The part of each face as it stands, and how many there are.
-    pub(crate) fn parts(&self, by: SplitBy) -> Result<(Vec<u32>, usize)> {
+    fn parts(&self, by: SplitBy) -> Result<(Vec<u32>, usize)> {
         let topology = &self.half_edges;
         let mut part = filled("faces", topology.face_count(), 0u32)?;
         match by {

@@ -137,6 +137,14 @@ impl Mesh {
         }
     }
 
+    /// Writes the value that a face field has on an input face to `out`; NaN where there is no such face.
+    pub fn face_value(&self, field: &Field, face: i64, out: &mut [f64]) {
+        out.fill(f64::NAN);
+        if let Some(f) = usize::try_from(face).ok().filter(|f| *f < self.face_count) {
+            out.copy_from_slice(field.item(f));
+        }
+    }
+
     /// The rows of the three corners of a piece, in the order in which the input gave them.
     fn rows_of(&self, face: i64, piece: i32) -> Option<[u32; 3]> {
         let f = self.half_edges.face_of_input(u32::try_from(face).ok()?)?;
