@@ -50,12 +50,7 @@ pub(super) unsafe fn give_list<T: Copy>(
 ///
 /// # Safety
 /// As [`give_list`].
-pub(super) unsafe fn give_text(
-    text: &str,
-    capacity: usize,
-    out_text: *mut c_char,
-    out_size: *mut usize,
-) -> Result<()> {
+pub(super) unsafe fn give_text(text: &str, capacity: usize, out_text: *mut c_char, out_size: *mut usize) -> Result<()> {
     let mut bytes: Vec<c_char> = text.bytes().map(|b| if b == 0 { b' ' as c_char } else { b as c_char }).collect();
     bytes.push(0);
     writable("out_size", out_size)?;

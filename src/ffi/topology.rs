@@ -189,9 +189,7 @@ pub unsafe extern "C" fn emb_mesh_face_half_edge(mesh: *const emb_mesh, face: u6
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_vertex_half_edge_count(mesh: *const emb_mesh, vertex: u32) -> usize {
     // SAFETY: a handle or NULL, as the header asks.
-    unsafe {
-        ask(mesh, 0, |m| ((vertex as usize) < m.vertices().len()).then(|| m.half_edges().outgoing(vertex).len()))
-    }
+    unsafe { ask(mesh, 0, |m| ((vertex as usize) < m.vertices().len()).then(|| m.half_edges().outgoing(vertex).len())) }
 }
 
 /// The k-th half-edge that leaves a vertex, ascending; EMB_NO_INDEX where there is none, and for NULL. O(1).

@@ -220,10 +220,7 @@ fn check_field(Field { name, components, values, .. }: &Field, items: usize) -> 
         return Err(Error::invalid(format!("name: \"{name}\" is empty or not one line")));
     }
     if *components == 0 || items.checked_mul(*components) != Some(values.len()) {
-        return Err(Error::invalid(format!(
-            "values: {} are not {components} for each of {items} items",
-            values.len()
-        )));
+        return Err(Error::invalid(format!("values: {} are not {components} for each of {items} items", values.len())));
     }
     Ok(())
 }

@@ -42,11 +42,9 @@ impl Mesh {
                 let [a, b] = self.ends(h);
                 Measure { normal: unit(self.edge_normal(h)), centroid: a + (b - a) * 0.5, size: length(b - a) }
             }
-            Element::Vertex(v) => Measure {
-                normal: unit(self.vertex_normal(v)),
-                centroid: self.vertices()[v as usize],
-                size: 0.0,
-            },
+            Element::Vertex(v) => {
+                Measure { normal: unit(self.vertex_normal(v)), centroid: self.vertices()[v as usize], size: 0.0 }
+            }
         }
     }
 
@@ -111,9 +109,7 @@ impl Mesh {
     fn edge_normal(&self, half_edge: u32) -> Vec3 {
         let topology = self.half_edges();
         let (from, to) = (topology.origin(half_edge), topology.target(half_edge));
-        let leaving = |a: u32, b: u32| {
-            topology.outgoing(a).iter().copied().filter(move |&h| topology.target(h) == b)
-        };
+        let leaving = |a: u32, b: u32| topology.outgoing(a).iter().copied().filter(move |&h| topology.target(h) == b);
         let mut faces: Vec<u32> = leaving(from, to).chain(leaving(to, from)).map(|h| topology.face(h)).collect();
         faces.sort_unstable();
         faces.dedup();

@@ -6,6 +6,9 @@
 mod common;
 
 mod arguments;
+mod assembly;
+mod data;
+mod elements;
 mod normals;
 mod orientation;
 mod polygons;

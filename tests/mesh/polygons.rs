@@ -4,7 +4,7 @@
 use super::*;
 
 /// A prism over a polygon of the xy plane: caps with all corners, sides of four.
-fn prism(outline: &[[f64; 2]], height: f64) -> (Vec<f64>, Vec<usize>, Vec<u32>) {
+pub(super) fn prism(outline: &[[f64; 2]], height: f64) -> (Vec<f64>, Vec<usize>, Vec<u32>) {
     let n = outline.len();
     let level = |z: f64| outline.iter().flat_map(move |p| [p[0], p[1], z]);
     let xyz = level(0.0).chain(level(height)).collect();
@@ -18,7 +18,7 @@ fn prism(outline: &[[f64; 2]], height: f64) -> (Vec<f64>, Vec<usize>, Vec<u32>) 
     (xyz, offsets, indices)
 }
 
-const L_SHAPE: [[f64; 2]; 6] = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
+pub(super) const L_SHAPE: [[f64; 2]; 6] = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
 
 fn polygons((xyz, offsets, indices): &(Vec<f64>, Vec<usize>, Vec<u32>)) -> embound::Result<Mesh> {
     Mesh::from_polygons(xyz, offsets, indices, None, &MeshOptions::default())
