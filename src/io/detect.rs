@@ -25,14 +25,18 @@ pub(super) fn format(bytes: &[u8]) -> Result<Format> {
     })
 }
 
-/// The first line that is neither empty nor a comment begins with a word of OBJ.
+/// After comments and lines that begin with other words of OBJ comes a vertex.
 fn is_obj(text: &[u8]) -> bool {
-    const KEYWORDS: [&[u8]; 10] = [b"v", b"vt", b"vn", b"vp", b"f", b"fo", b"g", b"o", b"usemtl", b"mtllib"];
+    const OTHERS: [&[u8]; 13] =
+        [b"vt", b"vn", b"vp", b"f", b"fo", b"l", b"p", b"g", b"o", b"s", b"mg", b"usemtl", b"mtllib"];
     let mut words = Words::new(text);
     loop {
         let word = words.next();
-        if !word.starts_with(b"#") {
-            return KEYWORDS.iter().any(|k| word.eq_ignore_ascii_case(k));
+        if word.eq_ignore_ascii_case(b"v") {
+            return words.coordinate().is_ok();
+        }
+        if !word.starts_with(b"#") && !OTHERS.iter().any(|k| word.eq_ignore_ascii_case(k)) {
+            return false;
         }
         words.rest_of_line();
     }
