@@ -36,6 +36,12 @@ pub struct Closest {
     pub feature: i32,
 }
 
+impl Default for Closest {
+    fn default() -> Closest {
+        Closest::only(f64::NAN)
+    }
+}
+
 impl Closest {
     /// Nothing known but the value.
     pub(crate) fn only(value: f64) -> Closest {
