@@ -28,6 +28,7 @@ pub use assembly::{JoinTags, SplitBy};
 pub(crate) use build::{LARGEST_COORDINATE, build};
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};
+pub(crate) use diagnosis::Copies;
 pub use diagnosis::{
     BoundaryLoop, Component, Diagnosis, DiagnosisOptions, Duplicate, FaceMeasure, InconsistentEdge, Intersections, Lists,
     NO_COMPONENT, NonmanifoldVertex,

@@ -3,6 +3,7 @@
 //! and its boundary loops are. Of the mesh as read, after welding and before orientation and repair.
 
 mod components;
+mod copies;
 mod digits;
 mod edges;
 mod examples;
@@ -13,6 +14,7 @@ mod text;
 mod vertices;
 
 pub use components::Component;
+pub(crate) use copies::Copies;
 pub use edges::InconsistentEdge;
 pub use faces::{Duplicate, FaceMeasure};
 pub use lists::Lists;
