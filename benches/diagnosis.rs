@@ -100,7 +100,8 @@ fn pieces(n: usize) -> Soup {
     let mut out = Soup::default();
     for (k, j, i) in (0..40).flat_map(|k| (0..n).flat_map(move |j| (0..n).map(move |i| (k, j, i)))) {
         let base = out.vertices.len() as u32;
-        out.vertices.extend(one.vertices.iter().map(|p| [p[0] + 2.0 * i as f64, p[1] + 2.0 * j as f64, p[2] + 2.0 * k as f64]));
+        out.vertices
+            .extend(one.vertices.iter().map(|p| [p[0] + 2.0 * i as f64, p[1] + 2.0 * j as f64, p[2] + 2.0 * k as f64]));
         out.triangles.extend(one.triangles.iter().map(|t| t.map(|v| v + base)));
     }
     out

@@ -28,10 +28,9 @@ pub use assembly::{JoinTags, SplitBy};
 pub(crate) use build::{LARGEST_COORDINATE, build};
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};
-pub(crate) use diagnosis::Copies;
 pub use diagnosis::{
-    BoundaryLoop, Component, Diagnosis, DiagnosisOptions, Duplicate, FaceMeasure, InconsistentEdge, Intersections, Lists,
-    NO_COMPONENT, NonmanifoldVertex,
+    BoundaryLoop, Component, Diagnosis, DiagnosisOptions, Duplicate, FaceMeasure, InconsistentEdge, Intersections,
+    Lists, NO_COMPONENT, NonmanifoldVertex,
 };
 pub use element::{Element, Measure};
 pub(crate) use faces::{Faces, Sets};

@@ -108,12 +108,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// Pairs that share no vertex.
-    fn among_leaves(
-        &self,
-        pairs: &Pairs,
-        leaves: std::ops::Range<usize>,
-        found: &mut collect::Chunk,
-    ) -> Result<()> {
+    fn among_leaves(&self, pairs: &Pairs, leaves: std::ops::Range<usize>, found: &mut collect::Chunk) -> Result<()> {
         let (mut stack, mut near) = (Vec::new(), Vec::new());
         for leaf in leaves {
             near.clear();
@@ -137,9 +132,7 @@ impl<'a> Contacts<'a> {
     /// Whether two triangles are of any interest to each other.
     fn may_meet(&self, s: u32, t: u32) -> bool {
         let same_face = self.triangles[s as usize].face == self.triangles[t as usize].face;
-        !(self.faces_alone && same_face)
-            && !self.flat[s as usize]
-            && !self.flat[t as usize]
+        !(self.faces_alone && same_face) && !self.flat[s as usize] && !self.flat[t as usize]
     }
 
     /// Whether two triangles that share no vertex meet; false where they share one.

@@ -3,9 +3,9 @@
 
 use super::{Intersections, Mesh, push};
 use crate::error::{Result, try_with_capacity};
+use crate::mesh::Triangle;
 use crate::mesh::duplicates::{self, Repeats};
 use crate::mesh::faces::{filled, starts_from_counts};
-use crate::mesh::Triangle;
 
 /// Faces that others repeat, and the triangles without the repetitions.
 pub(crate) struct Copies {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Boundary loops: the edges of one face, walked from vertex to vertex. A walk that comes back to a vertex it
-//! has passed has closed a loop, which is taken out of it, so that loops are simple and every edge is in one
-//! (Hierholzer 1873, without joining).
+//! Boundary loops: the edges of one face, walked from vertex to vertex along the fans of faces at them. A walk
+//! that comes back to a vertex it has passed has closed a loop, which is taken out of it, so that loops are
+//! simple and every edge is in one (Hierholzer 1873, without joining).
 
 use super::{Diagnosis, Lists, Subject, push};
 use crate::error::{Result, try_with_capacity};
 use crate::math::{Aabb, Vec3, length};
+use crate::mesh::HalfEdges;
 use crate::mesh::edges::NONE;
 use crate::mesh::faces::{filled, starts_from_counts};
 use crate::mesh::measure::Sum;
@@ -18,7 +19,8 @@ pub struct BoundaryLoop {
     pub edges: usize,
     /// Whether it comes back to where it begins. Chains end where an odd number of faces meets in an edge.
     pub closed: bool,
-    /// The component that its faces belong to.
+    /// The component that the face at its first edge belongs to: all its faces, unless edges of more than two
+    /// faces end on it.
     pub component: u32,
     /// Sum of the lengths of its edges.
     pub length: f64,
@@ -62,7 +64,7 @@ impl Diagnosis {
             let chain = BoundaryLoop {
                 edges: vertices(k).len() - usize::from(!closed),
                 closed,
-                component: self.component_of_face[subject.input_face(found.half_edge[k]) as usize],
+                component: self.component_of_face[subject.input_face(found.first[k]) as usize],
                 length: sum.value(),
                 lo: bounds.lo.to_array(),
                 hi: bounds.hi.to_array(),
@@ -78,14 +80,17 @@ impl Diagnosis {
 struct Found {
     vertices: Lists,
     closed: Vec<bool>,
-    /// One of the half-edges of each.
-    half_edge: Vec<u32>,
+    /// The half-edge between the first two vertices of each.
+    first: Vec<u32>,
 }
 
 /// The boundary edges, by the vertices they join.
 struct Borders {
     half_edge: Vec<u32>,
     ends: Vec<[u32; 2]>,
+    /// For each end the edge at the other end of the fan of faces there; [`NONE`] where an edge of more than two
+    /// faces is.
+    across: Vec<[u32; 2]>,
     used: Vec<bool>,
     leaving: ByVertex,
     entering: ByVertex,
@@ -111,6 +116,7 @@ impl Borders {
         Ok(Borders {
             leaving: ByVertex::new(vertices, &ends, 0)?,
             entering: ByVertex::new(vertices, &ends, 1)?,
+            across: across_fans(subject, &half_edge)?,
             used: filled("boundary edges", ends.len(), false)?,
             path: try_with_capacity("vertices", ends.len() + 1)?,
             over: try_with_capacity("vertices", ends.len() + 1)?,
@@ -123,41 +129,44 @@ impl Borders {
 
     /// First the chains, which end where an odd number of edges meets; what is left then are loops.
     fn walk_all(&mut self) -> Result<()> {
-        let count = |at: &ByVertex, v: usize| at.start[v + 1] - at.start[v];
         for v in 0..self.place.len() {
-            // A vertex can be the end of one chain, the other ends of which was a vertex before it.
-            let unused = |b: &Borders| {
-                let all = |at: &ByVertex| at.of(v).iter().filter(|e| !b.used[**e as usize]).count();
-                all(&b.leaving) + all(&b.entering)
-            };
-            if (count(&self.leaving, v) + count(&self.entering, v)) % 2 == 1 && unused(self) % 2 == 1 {
-                self.walk(v as u32)?;
+            // One that has been the end of a chain since has an even number left.
+            let unused = |at: &ByVertex| at.of(v).iter().filter(|e| !self.used[**e as usize]).count();
+            if (unused(&self.leaving) + unused(&self.entering)) % 2 == 1 {
+                self.walk(v as u32, false)?;
             }
         }
         for e in 0..self.ends.len() {
             if !self.used[e] {
-                self.walk(self.ends[e][0])?;
+                self.walk(self.ends[e][0], true)?;
             }
         }
         Ok(())
     }
 
-    /// Walks from a vertex until no edge leads on.
-    fn walk(&mut self, from: u32) -> Result<()> {
+    /// Walks from a vertex until no edge leads on, or, where it `returns`, until it has come back.
+    fn walk(&mut self, from: u32, returns: bool) -> Result<()> {
         self.step(from, NONE);
-        while let Some((edge, to)) = self.path.last().copied().and_then(|v| self.next_edge(v)) {
+        let mut last = NONE;
+        while let Some(edge) = self.next_edge(last) {
+            let [a, b] = self.ends[edge as usize];
+            let to = if self.path.last() == Some(&a) { b } else { a };
             self.used[edge as usize] = true;
+            last = edge;
             match self.place[to as usize] {
                 NONE => self.step(to, edge),
                 place => {
-                    self.take(place as usize, true, edge)?;
+                    self.take(place as usize, Some(edge))?;
                     self.path.truncate(place as usize + 1);
                     self.over.truncate(place as usize + 1);
+                    if returns && place == 0 {
+                        break;
+                    }
                 }
             }
         }
         if self.path.len() > 1 {
-            self.take(0, false, self.over[1])?;
+            self.take(0, None)?;
         }
         for v in self.path.drain(..) {
             self.place[v as usize] = NONE;
@@ -172,28 +181,70 @@ impl Borders {
         self.over.push(edge);
     }
 
-    /// The lowest unused edge that leaves a vertex, else the lowest that enters it, and where it leads.
-    fn next_edge(&mut self, v: u32) -> Option<(u32, u32)> {
-        let leaving = self.leaving.next(v, &self.used).map(|e| (e, self.ends[e as usize][1]));
-        leaving.or_else(|| self.entering.next(v, &self.used).map(|e| (e, self.ends[e as usize][0])))
+    /// The unused edge to take from the end of the walk: across the fan of faces from the last one, else the
+    /// lowest that leaves, else the lowest that enters.
+    fn next_edge(&mut self, last: u32) -> Option<u32> {
+        let v = self.path.last().copied()?;
+        if let (Some(across), Some(ends)) = (self.across.get(last as usize), self.ends.get(last as usize)) {
+            let across = across[usize::from(ends[1] == v)];
+            if self.used.get(across as usize) == Some(&false) {
+                return Some(across);
+            }
+        }
+        self.leaving.next(v, &self.used).or_else(|| self.entering.next(v, &self.used))
     }
 
-    /// Hands over the walk from `place` on, and forgets that its vertices, but the first, are on it.
-    fn take(&mut self, place: usize, closed: bool, edge: u32) -> Result<()> {
+    /// Hands over the walk from `place` on, `closing` being the edge that leads back there, and forgets that its
+    /// vertices, but the first, are on it.
+    fn take(&mut self, place: usize, closing: Option<u32>) -> Result<()> {
         let chain = &self.path[place..];
-        let lowest = if closed { (0..chain.len()).min_by_key(|&k| chain[k]).unwrap_or(0) } else { 0 };
-        let reversed = !closed && chain.last() < chain.first();
-        let at = |k: usize| match reversed {
-            true => chain[chain.len() - 1 - k],
-            false => chain[(lowest + k) % chain.len()],
-        };
-        self.found.vertices.push((0..chain.len()).map(at))?;
-        push(&mut self.found.closed, "loops", closed)?;
-        push(&mut self.found.half_edge, "loops", self.half_edge[edge as usize])?;
+        let n = chain.len();
+        let lowest = if closing.is_some() { (0..n).min_by_key(|&k| chain[k]).unwrap_or(0) } else { 0 };
+        let reversed = closing.is_none() && chain.last() < chain.first();
+        let at = |k: usize| if reversed { chain[n - 1 - k] } else { chain[(lowest + k) % n] };
+        let over = if reversed { n - 1 } else { lowest + 1 };
+        let first = self.over.get(place + over).copied().or(closing).unwrap_or(NONE);
+        self.found.vertices.push((0..n).map(at))?;
+        push(&mut self.found.closed, "loops", closing.is_some())?;
+        push(&mut self.found.first, "loops", self.half_edge[first as usize])?;
         for &v in &chain[1..] {
             self.place[v as usize] = NONE;
         }
         Ok(())
+    }
+}
+
+/// For each end of each boundary half-edge, as the faces ran when read, the boundary edge at the other end of the
+/// fan of faces there.
+fn across_fans(subject: &Subject, half_edges: &[u32]) -> Result<Vec<[u32; 2]>> {
+    let topology = &subject.mesh.half_edges;
+    let mates = subject.edges.mates()?;
+    let mut across = try_with_capacity("boundary edges", half_edges.len())?;
+    for &h in half_edges {
+        let far = |over_leaving: bool, corner: u32| {
+            let end = fan_end(topology, &mates, corner, over_leaving);
+            half_edges.binary_search(&end).map_or(NONE, |k| k as u32)
+        };
+        // Away from the edge: at its origin over what enters there, at its target over what leaves.
+        let ends = [far(false, h), far(true, topology.next(h))];
+        let turned = subject.turned[subject.of_half_edge[h as usize] as usize];
+        across.push(if turned { [ends[1], ends[0]] } else { ends });
+    }
+    Ok(across)
+}
+
+/// The half-edge at which the fan of a corner ends.
+fn fan_end(topology: &HalfEdges, mates: &[u32], mut corner: u32, mut over_leaving: bool) -> u32 {
+    let vertex = topology.origin(corner);
+    loop {
+        let crossed = if over_leaving { corner } else { topology.previous(corner) };
+        let mate = mates[crossed as usize];
+        if mate == NONE {
+            return crossed;
+        }
+        let leaves = topology.origin(mate) == vertex;
+        corner = if leaves { mate } else { topology.next(mate) };
+        over_leaving = !leaves;
     }
 }
 

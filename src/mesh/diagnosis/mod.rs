@@ -14,7 +14,6 @@ mod text;
 mod vertices;
 
 pub use components::Component;
-pub(crate) use copies::Copies;
 pub use edges::InconsistentEdge;
 pub use faces::{Duplicate, FaceMeasure};
 pub use lists::Lists;

@@ -34,12 +34,7 @@ impl Diagnosis {
                 count(r.vertices, "vertex"),
                 count(r.components, "component")
             ),
-            format!(
-                "box {} to {}, diagonal {}",
-                point(bounds.lo),
-                point(bounds.hi),
-                significant(bounds.diagonal(), 6)
-            ),
+            format!("box {} to {}, diagonal {}", point(bounds.lo), point(bounds.hi), significant(bounds.diagonal(), 6)),
             format!("area {}", significant(r.area, 8)),
             format!("signed volume {}{meaning}", significant(r.volume, 8)),
         ]
@@ -51,8 +46,11 @@ impl Diagnosis {
             true => "closed: yes".to_owned(),
             false => {
                 let open = self.loops.iter().filter(|l| !l.closed).count();
-                let chains =
-                    if open > 0 { format!(", {} that do not close", count(open, "chain")) } else { String::new() };
+                let chains = match open {
+                    0 => String::new(),
+                    1 => ", 1 chain that does not close".to_owned(),
+                    _ => format!(", {open} chains that do not close"),
+                };
                 let loops = count(self.loops.len() - open, "loop");
                 format!("closed: no, {} in {loops}{chains}", count(r.boundary_edges, "boundary edge"))
             }
@@ -91,31 +89,32 @@ impl Diagnosis {
         let n = self.nonmanifold_vertices.len();
         let vertices = self.nonmanifold_vertices.iter().zip(&e.nonmanifold_vertices);
         let shown = vertices.map(|(v, p)| at(format!("{} of {} fans", v.vertex, v.fans), p));
-        tell("non-manifold vertices", n, examples(n, "vertex", shown));
+        tell("non-manifold vertices", n, examples(n, "", shown));
         let n = self.shrunk_faces.len();
         let shown = self.shrunk_faces.iter().take(SHOWN).map(u32::to_string);
-        tell("faces that lost corners in welding", n, examples(n, "face", shown));
+        tell("faces that lost corners in welding", n, examples(n, "faces", shown));
         let n = self.flat_faces.len();
         let shown = self.flat_faces.iter().zip(&e.flat_faces).map(|(f, p)| at(f.to_string(), p));
-        tell("faces of zero area", n, examples(n, "face", shown));
+        tell("faces of zero area", n, examples(n, "faces", shown));
         let n = self.duplicates.len();
         let way = |same: bool| if same { "the same way" } else { "the other way" };
         let duplicates = self.duplicates.iter().zip(&e.duplicates);
         let shown = duplicates.map(|(d, p)| at(format!("{} as {} {}", d.face, d.original, way(d.same_way)), p));
-        tell("duplicate faces", n, examples(n, "face", shown));
+        tell("duplicate faces", n, examples(n, "faces", shown));
         let n = self.slivers.len();
         let slivers = self.slivers.iter().zip(&e.slivers);
-        let shown = slivers.map(|(s, p)| at(format!("{} of {}", s.face, significant(s.ratio, 2)), p));
-        tell("slivers", n, examples(n, "face", shown));
+        let shown = slivers.map(|(s, p)| at(format!("{} of ratio {}", s.face, significant(s.ratio, 2)), p));
+        tell("slivers", n, examples(n, "faces", shown));
         let n = self.off_plane_faces.len();
         let faces = self.off_plane_faces.iter().zip(&e.off_plane_faces);
         let shown = faces.map(|(s, p)| at(format!("{} by {}", s.face, significant(s.ratio, 2)), p));
-        tell("faces off a plane", n, examples(n, "face", shown));
+        tell("faces off a plane", n, examples(n, "faces", shown));
         match &self.intersections {
             Some(found) if found.count == 0 => absent.push("intersections".to_owned()),
             Some(found) => {
                 let least = if found.complete { "" } else { "at least " };
-                let shown = found.pairs.iter().zip(&e.intersections).map(|(p, x)| at(format!("{} and {}", p[0], p[1]), x));
+                let shown =
+                    found.pairs.iter().zip(&e.intersections).map(|(p, x)| at(format!("{} and {}", p[0], p[1]), x));
                 let n = usize::try_from(found.count).unwrap_or(usize::MAX);
                 lines.push(format!("pairs of faces that intersect: {least}{n}: {}", examples(n, "faces", shown)));
             }
@@ -170,21 +169,18 @@ impl Diagnosis {
 
     /// What to do, in one line.
     fn advice(&self) -> String {
-        let r = &self.report;
         let crosses = self.intersections.as_ref().is_some_and(|found| found.count > 0);
+        let balanced = self.surface.unbalanced_edges == 0;
         let mut parts = Vec::new();
-        if self.surface.unbalanced_edges > 0 {
-            parts.push(self.advice_for_open());
-        } else if self.turned_faces > 0 && r.inside_out && self.turned_faces == self.turnable_faces() {
-            parts.push("closed, consistent, inside out: EMB_ORIENT_AUTO has turned it".to_owned());
-        } else if self.turned_faces > 0 {
-            parts.push(format!("EMB_ORIENT_AUTO has turned {} over", count(self.turned_faces, "face")));
-        } else if r.inside_out {
-            parts.push("inside out, and kept so: read it with EMB_ORIENT_AUTO unless inward is meant".to_owned());
-        }
-        if self.surface.unbalanced_edges == 0 && (crosses || self.surface.nonmanifold_edges > 0) {
+        parts.extend(if balanced { self.advice_on_orientation() } else { Some(self.advice_for_open()) });
+        if balanced && (crosses || self.surface.nonmanifold_edges > 0) {
             let why = if crosses { "faces pass through each other" } else { "edges have more than two faces" };
             parts.push(format!("{why}: EMB_SIGN_AUTO takes the sign from crossings, as EMB_SIGN_RAY does"));
+        }
+        if balanced && !self.duplicates.is_empty() {
+            let repeat = if self.duplicates.len() == 1 { "repeats another" } else { "repeat others" };
+            let copies = count(self.duplicates.len(), "face");
+            parts.push(format!("{copies} {repeat}: a signed distance takes one of each"));
         }
         if parts.is_empty() {
             parts.push("nothing: closed, consistent, outward, fit for a signed distance as it is".to_owned());
@@ -192,26 +188,37 @@ impl Diagnosis {
         parts.join("; ")
     }
 
-    fn advice_for_open(&self) -> String {
-        let closed: Vec<_> = self.loops.iter().filter(|l| l.closed).collect();
-        match closed.iter().map(|l| l.edges).max() {
-            Some(largest) if closed.len() == self.loops.len() => {
-                let rest = if closed.len() > 1 { ", the largest" } else { "" };
-                format!(
-                    "{}{rest} of {}: repair with EMB_REPAIR_HOLES or ask for the unsigned distance (EMB_SIGN_NONE)",
-                    count(closed.len(), "hole"),
-                    count(largest, "edge")
-                )
+    fn advice_on_orientation(&self) -> Option<String> {
+        let inside_out = self.report.inside_out;
+        match self.turned_faces {
+            0 if inside_out => {
+                Some("inside out, and kept so: read it with EMB_ORIENT_AUTO unless inward is meant".to_owned())
             }
-            _ => format!(
-                "{} unequal numbers of faces one way and the other: no inside; ask for the unsigned distance (EMB_SIGN_NONE)",
-                if self.surface.unbalanced_edges == 1 { "1 edge has".to_owned() } else { format!("{} edges have", self.surface.unbalanced_edges) }
-            ),
+            0 => None,
+            all if inside_out && all == self.faces_left() => {
+                Some("closed, consistent, inside out: EMB_ORIENT_AUTO has turned it".to_owned())
+            }
+            some => Some(format!("EMB_ORIENT_AUTO has turned {} over", count(some, "face"))),
         }
     }
 
+    /// Where the surface has no inside: loops can be filled, other edges without a partner cannot.
+    fn advice_for_open(&self) -> String {
+        let unsigned = "ask for the unsigned distance (EMB_SIGN_NONE)";
+        let fillable = !self.loops.is_empty() && self.loops.iter().all(|l| l.closed);
+        if fillable && self.surface.unbalanced_edges == self.report.boundary_edges {
+            let largest = self.loops.iter().map(|l| l.edges).max().unwrap_or(0);
+            let rest = if self.loops.len() > 1 { ", the largest" } else { "" };
+            let (holes, edges) = (count(self.loops.len(), "hole"), count(largest, "edge"));
+            return format!("{holes}{rest} of {edges}: repair with EMB_REPAIR_HOLES or {unsigned}");
+        }
+        let n = self.surface.unbalanced_edges;
+        let (edges, do_not) = (count(n, "edge"), if n == 1 { "does not" } else { "do not" });
+        format!("{edges} {do_not} have as many faces one way as the other: no inside; {unsigned}")
+    }
+
     /// Faces that are left after welding.
-    fn turnable_faces(&self) -> usize {
+    fn faces_left(&self) -> usize {
         self.components.iter().map(|c| c.faces).sum()
     }
 }
@@ -232,5 +239,6 @@ fn heading(what: &str, n: usize) -> String {
 fn examples(n: usize, what: &str, shown: impl Iterator<Item = String>) -> String {
     let shown: Vec<String> = shown.collect();
     let more = if n > shown.len() { ", ..." } else { "" };
-    format!("{what} {}{more}", shown.join(", "))
+    let gap = if what.is_empty() { "" } else { " " };
+    format!("{what}{gap}{}{more}", shown.join(", "))
 }

@@ -19,7 +19,8 @@ pub struct NonmanifoldVertex {
 impl Diagnosis {
     pub(super) fn list_vertices(&mut self, subject: &Subject) -> Result<()> {
         let topology = &subject.mesh.half_edges;
-        let mut fans = Fans { subject, mates: subject.edges.mates()?, seen: filled("half-edges", topology.count(), false)? };
+        let mut fans =
+            Fans { subject, mates: subject.edges.mates()?, seen: filled("half-edges", topology.count(), false)? };
         for vertex in 0..subject.vertices.len() as u32 {
             let mut count = 0;
             for &corner in topology.outgoing(vertex) {
