@@ -847,7 +847,7 @@ emb_status emb_mesh_face_tags(const emb_mesh *mesh, size_t first, size_t count, 
 
 // The different tags of the faces as they stand, ascending: *out_count of them; with `capacity` 0 that is all, else
 // out_tags takes them. Cost: O(n log n). Any thread.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the count).
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the count), EMB_ERROR_MEMORY.
 emb_status emb_mesh_tags(const emb_mesh *mesh, size_t capacity, int32_t *out_tags, size_t *out_count);
 
 // The name of a tag: of the file's solid, group or material, or of the file; "" where it has none. *out_size is its

@@ -7,7 +7,7 @@ use super::faces::{Faces, filled};
 use super::half_edge::HalfEdges;
 use super::orient::{self, Parts};
 use super::{Data, Mesh, Surface, Triangle};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, try_copy};
 use crate::math::Vec3;
 
 /// What is left without copies.
@@ -76,14 +76,10 @@ impl Mesh {
         let surface = Surface::of(&faces, &edges, volume);
         let of_half_edge = faces.of_half_edges()?;
         let half_edges = HalfEdges::new(vertices.len(), faces, of_half_edge, &edges)?;
-        let mut own_vertices = try_with_capacity("vertices", vertices.len())?;
-        own_vertices.extend_from_slice(vertices);
-        let mut tags = try_with_capacity("tags", self.tags.len())?;
-        tags.extend_from_slice(&self.tags);
         Ok(Some(Mesh {
-            vertices: own_vertices,
+            vertices: try_copy("vertices", vertices)?,
             triangles,
-            tags,
+            tags: try_copy("tags", &self.tags)?,
             tag_names: Vec::new(),
             data: Data::default(),
             face_count: self.face_count,

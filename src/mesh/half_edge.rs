@@ -3,7 +3,7 @@
 
 use super::edges::{Edges, NONE};
 use super::faces::{Faces, filled, starts_from_counts};
-use crate::error::Result;
+use crate::error::{Result, try_copy};
 use std::ops::Range;
 
 /// The topology of a mesh as it stands: oriented, without collapsed faces; faces keep all
@@ -45,6 +45,17 @@ impl HalfEdges {
         start.rotate_right(1);
         start[0] = 0;
         Ok(HalfEdges { faces, of_half_edge, twin, outgoing_start: start, outgoing })
+    }
+
+    /// A copy.
+    pub(super) fn try_clone(&self) -> Result<HalfEdges> {
+        Ok(HalfEdges {
+            faces: self.faces.try_clone()?,
+            of_half_edge: try_copy("half-edges", &self.of_half_edge)?,
+            twin: try_copy("half-edges", &self.twin)?,
+            outgoing_start: try_copy("vertices", &self.outgoing_start)?,
+            outgoing: try_copy("half-edges", &self.outgoing)?,
+        })
     }
 
     /// The faces and their corners.
