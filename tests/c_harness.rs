@@ -98,6 +98,11 @@ fn misuse_of_constructors_is_answered_with_a_status_and_a_message() {
     harness("misuse_shapes");
 }
 
+#[test]
+fn misuse_of_meshes_is_answered_with_a_status_and_a_message() {
+    harness("misuse_meshes");
+}
+
 /// [`harness`] of a program that prints a hash of its results, which must be the same each time.
 fn same_hashes(name: &str) {
     let outputs = harness(name);
@@ -109,6 +114,11 @@ fn same_hashes(name: &str) {
 #[test]
 fn values_have_the_same_bits_however_they_are_asked_for() {
     same_hashes("values");
+}
+
+#[test]
+fn meshes_tell_their_topology_and_carry_their_data() {
+    same_hashes("meshes");
 }
 
 #[test]
@@ -159,6 +169,8 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_mesh_report: struct_size, closed, consistent, inside_out, components, vertices, faces,
         triangles, boundary_edges, nonmanifold_edges, inconsistent_edges, degenerate_faces, duplicate_faces,
         self_intersections, volume, area, lo, hi);
+    layout!(lines, emb_mesh_measure: struct_size, normal, centroid, size);
+    layout!(lines, emb_mesh_field: struct_size, components, count);
     layout!(lines, emb_sdf_options: struct_size, sign, open, axis, accelerator, open_lo, open_hi);
     layout!(lines, emb_callback_options: struct_size, lo, hi, lipschitz, gradient_step, kind, thread_safe, values,
         gradient, range);
@@ -166,7 +178,7 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_blend: struct_size, kind, thread_safe, width, blend, user, drop, support, depth, lipschitz);
     layout!(lines, emb_geom_properties: struct_size, kind, sign_method, lipschitz, primitives, bytes);
     layout!(lines, emb_closest_out: struct_size, value, point, gradient, barycentric, vector_stride, primitive,
-        part, tag, feature);
+        part, tag, feature, piece);
     layout!(lines, emb_hit_out: struct_size, t, count, status, normal, vector_stride, primitive, part, tag);
     layout!(lines, emb_crossings_out: struct_size, form, elsewhere, none, r#where, count, tag, part);
     let header = fs::read_to_string(root().join("include/embound.h")).expect("the header");

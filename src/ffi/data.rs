@@ -88,7 +88,7 @@ pub unsafe extern "C" fn emb_mesh_tag_name(
     // SAFETY: pointers as the header asks.
     guard(|| unsafe {
         let mesh = lend("mesh", mesh)?;
-        give_text(mesh.tag_name(tag).unwrap_or(""), capacity, out_name, out_size)
+        give_text("out_name", mesh.tag_name(tag).unwrap_or(""), capacity, out_name, out_size)
     })
 }
 
@@ -109,9 +109,10 @@ pub unsafe extern "C" fn emb_mesh_with_tags(
     guard(|| unsafe {
         let mesh = lend("mesh", mesh)?;
         let tags = slice("tags", tags, mesh.face_count())?;
-        let numbers = slice("named_tags", named_tags, elements::<i32>("name_count", name_count, 1)?)?;
+        let name_count = elements::<(i32, String)>("name_count", name_count, 1)?;
+        let numbers = slice("named_tags", named_tags, name_count)?;
         let mut named = try_with_capacity("names", name_count)?;
-        for (k, text) in slice("names", names, elements::<usize>("name_count", name_count, 1)?)?.iter().enumerate() {
+        for (k, text) in slice("names", names, name_count)?.iter().enumerate() {
             named.push((numbers[k], name(&format!("names[{k}]"), *text)?.to_owned()));
         }
         writable("out_mesh", out_mesh)?;
@@ -150,7 +151,7 @@ pub unsafe extern "C" fn emb_mesh_field_get(
     guard(|| unsafe {
         let known = self::field(lend("mesh", mesh)?, on, k)?;
         let size = if field.is_null() { None } else { Some(versioned::result_size("field", field)?) };
-        give_text(&known.name, capacity, out_name, out_size)?;
+        give_text("out_name", &known.name, capacity, out_name, out_size)?;
         if let Some(size) = size {
             let count = known.values.len() / known.components;
             let result = emb_mesh_field { components: known.components, count, ..emb_mesh_field::DEFAULT };

@@ -60,6 +60,15 @@ static void meshes(void) {
   MEMBER(emb_mesh_report, area);
   MEMBER(emb_mesh_report, lo);
   MEMBER(emb_mesh_report, hi);
+  STRUCT(emb_mesh_measure);
+  MEMBER(emb_mesh_measure, struct_size);
+  MEMBER(emb_mesh_measure, normal);
+  MEMBER(emb_mesh_measure, centroid);
+  MEMBER(emb_mesh_measure, size);
+  STRUCT(emb_mesh_field);
+  MEMBER(emb_mesh_field, struct_size);
+  MEMBER(emb_mesh_field, components);
+  MEMBER(emb_mesh_field, count);
 }
 
 static void geometries(void) {
@@ -119,6 +128,7 @@ static void outputs(void) {
   MEMBER(emb_closest_out, part);
   MEMBER(emb_closest_out, tag);
   MEMBER(emb_closest_out, feature);
+  MEMBER(emb_closest_out, piece);
   STRUCT(emb_hit_out);
   MEMBER(emb_hit_out, struct_size);
   MEMBER(emb_hit_out, t);
