@@ -117,8 +117,18 @@ fn values_have_the_same_bits_however_they_are_asked_for() {
 }
 
 #[test]
-fn meshes_tell_their_topology_and_carry_their_data() {
+fn meshes_tell_their_topology_and_measures() {
     same_hashes("meshes");
+}
+
+#[test]
+fn data_of_meshes_have_the_same_bits_at_closest_points() {
+    same_hashes("mesh_data");
+}
+
+#[test]
+fn meshes_are_put_together_and_taken_apart() {
+    harness("mesh_parts");
 }
 
 #[test]

@@ -260,12 +260,16 @@ int main(void) {
   soup ball = soup_sphere(1.0, 24);
   emb_pool *pool = NULL;
   emb_run pooled = {sizeof pooled, NULL, NULL, NULL};
+  emb_mesh_options flip;
+  CHECK_OK(emb_mesh_options_init(&flip, sizeof flip));
+  flip.orient = EMB_ORIENT_FLIP;
   CHECK_OK(emb_pool_new(3, &pool));
   pooled.pool = pool;
   tags_are_told_with_their_names();
   fields_are_told_and_read_back();
   data_are_interpolated(with_fields(soup_mesh(&ball)), 2.0, 0, &pooled);
   data_are_interpolated(with_fields(cube_of_squares(-1, 1, NULL, NULL)), 3.0, 1, &pooled);
+  data_are_interpolated(with_fields(cube_of_squares(-1, 1, NULL, &flip)), 3.0, 1, &pooled);
   data_are_interpolated(with_fields(angle()), 3.0, 1, &pooled);
   what_is_far_or_no_face_is_not_a_number();
   closest_points_are_told_to_callers_of_the_first_release();

@@ -62,7 +62,8 @@ static void a_cube_is_walked_round_its_vertices(const emb_mesh *cube, const doub
     CHECK(emb_mesh_vertex_half_edge_count(cube, v) == 3);
     for (k = 0; k < 3; k++) {
       uint32_t next = emb_mesh_half_edge_around(cube, h), listed = emb_mesh_vertex_half_edge(cube, v, (size_t)k);
-      const double *a = xyz + 3 * emb_mesh_half_edge_target(cube, h), *b = xyz + 3 * emb_mesh_half_edge_target(cube, next);
+      const double *a = xyz + 3 * emb_mesh_half_edge_target(cube, h);
+      const double *b = xyz + 3 * emb_mesh_half_edge_target(cube, next);
       double u[3], w[3], turn[3], out[3];
       for (j = 0; j < 3; j++) {
         u[j] = a[j] - p[j], w[j] = b[j] - p[j], out[j] = p[j] - 0.5;
@@ -118,7 +119,8 @@ static emb_mesh_measure measured(const emb_mesh *mesh, int32_t element, uint64_t
   return measure;
 }
 
-static double distance_to(const emb_mesh *mesh, int32_t element, uint64_t index, double x, double y, double z, double foot[3]) {
+static double distance_to(const emb_mesh *mesh, int32_t element, uint64_t index, double x, double y, double z,
+                          double foot[3]) {
   double distance = NAN, point[3], alone = NAN;
   point[0] = x, point[1] = y, point[2] = z;
   CHECK_OK(emb_mesh_distance(mesh, element, index, point, &distance, foot));
