@@ -125,7 +125,7 @@ impl Data {
         }
         let seam_rows = try_copy("rows", &vertex_of_row[vertices..])?;
         let mut rows = try_with_capacity("fields", vertex.len())?;
-        for field in &vertex {
+        for field in vertex {
             rows.push(field.gathered(given_of_row.iter().copied())?);
         }
         if seam_rows.is_empty() {
