@@ -227,7 +227,7 @@ impl Mesh {
         Ok(Mesh { tags: try_copy("tags", tags)?, tag_names: names, ..self.copied()? })
     }
 
-    fn copied(&self) -> Result<Mesh> {
+    pub(super) fn copied(&self) -> Result<Mesh> {
         Ok(Mesh {
             vertices: try_copy("vertices", &self.vertices)?,
             triangles: try_copy("triangles", &self.triangles)?,
