@@ -7,8 +7,10 @@
 
 pub mod bodies;
 pub mod native;
+pub mod obj_files;
 pub mod points;
 pub mod random;
+pub mod same;
 pub mod stl_bytes;
 pub mod winding;
 
