@@ -59,7 +59,8 @@ fn every_refused_face_names_the_line_and_the_index() {
         ("f 1 2 3/x", "line 5: \"3/x\" is not a corner of a face"),
         ("f 1 2 3/1/1/1", "line 5: \"3/1/1/1\" is not a corner of a face"),
         ("f 1 2 3/1-1", "line 5: \"3/1-1\" is not a corner of a face"),
-        ("f 1 1 1", "faces: each of 1 has fewer than three different corners"),
+        ("f 1 1 1", "xyz: the box around the faces has the diagonal 0e0"),
+        ("f 1 2 1", "faces: each of 1 has fewer than three different corners"),
     ] {
         let message = refused(&format!("{VERTICES}{face}"));
         assert!(message.starts_with(wanted), "{face:?}: {message}");
