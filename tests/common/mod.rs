@@ -8,8 +8,10 @@
 pub mod bodies;
 mod description;
 pub mod native;
+pub mod obj_files;
 pub mod points;
 pub mod random;
+pub mod same;
 pub mod stl_bytes;
 pub mod winding;
 
