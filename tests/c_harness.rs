@@ -98,6 +98,11 @@ fn misuse_of_constructors_is_answered_with_a_status_and_a_message() {
     harness("misuse_shapes");
 }
 
+#[test]
+fn misuse_of_meshes_is_answered_with_a_status_and_a_message() {
+    harness("misuse_meshes");
+}
+
 /// [`harness`] of a program that prints a hash of its results, which must be the same each time.
 fn same_hashes(name: &str) {
     let outputs = harness(name);
@@ -112,8 +117,28 @@ fn values_have_the_same_bits_however_they_are_asked_for() {
 }
 
 #[test]
+fn meshes_tell_their_topology_and_measures() {
+    same_hashes("meshes");
+}
+
+#[test]
+fn data_of_meshes_have_the_same_bits_at_closest_points() {
+    same_hashes("mesh_data");
+}
+
+#[test]
+fn meshes_are_put_together_and_taken_apart() {
+    harness("mesh_parts");
+}
+
+#[test]
 fn trees_of_every_constructor_have_the_same_bits_however_they_are_asked_for() {
     same_hashes("trees");
+}
+
+#[test]
+fn diagnoses_of_meshes_have_the_same_bits_however_they_are_asked_for() {
+    same_hashes("diagnosis");
 }
 
 #[test]
@@ -159,6 +184,15 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_mesh_report: struct_size, closed, consistent, inside_out, components, vertices, faces,
         triangles, boundary_edges, nonmanifold_edges, inconsistent_edges, degenerate_faces, duplicate_faces,
         self_intersections, volume, area, lo, hi);
+    layout!(lines, emb_mesh_measure: struct_size, normal, centroid, size);
+    layout!(lines, emb_mesh_field: struct_size, components, count);
+    layout!(lines, emb_diagnosis_options: struct_size, sliver_ratio, off_plane_ratio, intersection_limit);
+    layout!(lines, emb_diagnosis_summary: struct_size, nonmanifold_vertices, shrunk_faces, flat_faces, slivers,
+        off_plane_faces, components, boundary_loops, open_chains, listed_intersections, turned_faces, unbalanced_edges,
+        intersections_complete);
+    layout!(lines, emb_mesh_component: struct_size, lowest_face, faces, triangles, boundary_edges, nonmanifold_edges,
+        inconsistent_edges, turned_faces, closed, consistent, inside_out, volume, area, lo, hi);
+    layout!(lines, emb_mesh_loop: struct_size, edges, component, closed, length, diagonal, lo, hi);
     layout!(lines, emb_sdf_options: struct_size, sign, open, axis, accelerator, open_lo, open_hi);
     layout!(lines, emb_callback_options: struct_size, lo, hi, lipschitz, gradient_step, kind, thread_safe, values,
         gradient, range);
@@ -166,7 +200,7 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_blend: struct_size, kind, thread_safe, width, blend, user, drop, support, depth, lipschitz);
     layout!(lines, emb_geom_properties: struct_size, kind, sign_method, lipschitz, primitives, bytes);
     layout!(lines, emb_closest_out: struct_size, value, point, gradient, barycentric, vector_stride, primitive,
-        part, tag, feature);
+        part, tag, feature, piece);
     layout!(lines, emb_hit_out: struct_size, t, count, status, normal, vector_stride, primitive, part, tag);
     layout!(lines, emb_crossings_out: struct_size, form, elsewhere, none, r#where, count, tag, part);
     let header = fs::read_to_string(root().join("include/embound.h")).expect("the header");

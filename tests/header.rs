@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 23] = [
     "constants",
     "error",
     "callback",
@@ -25,6 +25,7 @@ const SOURCES: [&str; 22] = [
     "topology",
     "data",
     "assembly",
+    "repair",
     "diagnosis_structs",
     "diagnosis",
     "geometry",

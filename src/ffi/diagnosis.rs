@@ -131,7 +131,7 @@ pub unsafe extern "C" fn emb_diagnosis_text(
     out_size: *mut usize,
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
-    guard(|| unsafe { give_text(&lend("diagnosis", diagnosis)?.text(), capacity, out_text, out_size) })
+    guard(|| unsafe { give_text("out_text", &lend("diagnosis", diagnosis)?.text(), capacity, out_text, out_size) })
 }
 
 /// Edges of more than two faces: two vertices each, the lower first, and the number of faces at each.

@@ -4,7 +4,7 @@
 
 use super::handle::writable;
 use super::writer::Writer;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, try_with_capacity};
 use std::ffi::c_char;
 use std::ops::Range;
 
@@ -70,10 +70,17 @@ pub(super) unsafe fn give_list<T: Copy>(
 ///
 /// # Safety
 /// As [`give_list`].
-pub(super) unsafe fn give_text(text: &str, capacity: usize, out_text: *mut c_char, out_size: *mut usize) -> Result<()> {
-    let mut bytes: Vec<c_char> = text.bytes().map(|b| if b == 0 { b' ' as c_char } else { b as c_char }).collect();
+pub(super) unsafe fn give_text(
+    name: &str,
+    text: &str,
+    capacity: usize,
+    out: *mut c_char,
+    out_size: *mut usize,
+) -> Result<()> {
+    let mut bytes: Vec<c_char> = try_with_capacity("characters", text.len() + 1)?;
+    bytes.extend(text.bytes().map(|b| if b == 0 { b' ' as c_char } else { b as c_char }));
     bytes.push(0);
     writable("out_size", out_size)?;
     // SAFETY: the caller's promise.
-    unsafe { give_list("out_text", &bytes, capacity, out_text, out_size) }
+    unsafe { give_list(name, &bytes, capacity, out, out_size) }
 }

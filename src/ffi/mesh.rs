@@ -3,8 +3,8 @@
 
 use super::arrays::{elements, path, slice};
 use super::constants::{
-    EMB_FORMAT_DETECT, EMB_FORMAT_OBJ, EMB_FORMAT_PLY, EMB_FORMAT_STL, EMB_FORMAT_VTK, EMB_FORMAT_VTP, EMB_ORIENT_AUTO,
-    EMB_ORIENT_FLIP, EMB_ORIENT_KEEP,
+    EMB_FORMAT_DETECT, EMB_FORMAT_OBJ, EMB_FORMAT_PLY, EMB_FORMAT_STL, EMB_FORMAT_VTK, EMB_FORMAT_VTP,
+    EMB_ORIENT_ALTERNATE, EMB_ORIENT_AUTO, EMB_ORIENT_FLIP, EMB_ORIENT_KEEP,
 };
 use super::error::{emb_status, guard, plain};
 use super::handle::{Handle, give, lend, release, share, writable};
@@ -41,7 +41,7 @@ pub struct emb_mesh_options {
     /// Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
     /// equal positions; -1: none.
     pub weld_tolerance: f64,
-    /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP or EMB_ORIENT_FLIP.
+    /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE.
     pub orient: i32,
     /// EMB_FORMAT_DETECT, the default, or the format the bytes must be in; used when reading.
     pub format: i32,
@@ -142,6 +142,7 @@ pub(super) unsafe fn options(given: *const emb_mesh_options) -> Result<(MeshOpti
         EMB_ORIENT_AUTO => Orient::Auto,
         EMB_ORIENT_KEEP => Orient::Keep,
         EMB_ORIENT_FLIP => Orient::Flip,
+        EMB_ORIENT_ALTERNATE => Orient::Alternate,
         other => return Err(Error::invalid(format!("options.orient: {other} is not an EMB_ORIENT_*"))),
     };
     let format = match given.format {

@@ -6,6 +6,7 @@ mod file;
 mod obj;
 mod ply;
 mod stl;
+mod text;
 mod vtk;
 mod vtp;
 mod words;

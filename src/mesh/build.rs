@@ -52,9 +52,11 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
         Orient::Keep => filled("faces", faces.len(), false)?,
         Orient::Flip => filled("faces", faces.len(), true)?,
         // The rule of orient.rs without the work, for what most files hold.
-        Orient::Auto if report.is_one_consistent_sheet() => filled("faces", faces.len(), report.inside_out)?,
-        Orient::Auto if report.duplicate_faces == 0 => orient::outward(&parts)?,
-        Orient::Auto => copies::turned(&parts, &repeats)?,
+        Orient::Auto | Orient::Alternate if report.is_one_consistent_sheet() => {
+            filled("faces", faces.len(), report.inside_out)?
+        }
+        _ if report.duplicate_faces == 0 => orient::outward(&parts, options.orient == Orient::Alternate)?,
+        _ => copies::turned(&parts, &repeats, options.orient == Orient::Alternate)?,
     };
     drop(repeats);
     turn_over(&faces.start, &mut faces.corners, &turned);

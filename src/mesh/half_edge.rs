@@ -4,7 +4,7 @@
 use super::edges::{Edges, NONE};
 use super::faces::{Faces, filled, starts_from_counts};
 use super::{Mesh, Triangle};
-use crate::error::Result;
+use crate::error::{Result, try_copy};
 use std::ops::Range;
 
 /// The topology of a mesh as it stands: oriented, without collapsed faces; faces keep all
@@ -63,6 +63,17 @@ impl HalfEdges {
             true => Ok(None),
             false => HalfEdges::of_triangles(mesh.vertices.len(), &mesh.triangles).map(Some),
         }
+    }
+
+    /// A copy.
+    pub(super) fn try_clone(&self) -> Result<HalfEdges> {
+        Ok(HalfEdges {
+            faces: self.faces.try_clone()?,
+            of_half_edge: try_copy("half-edges", &self.of_half_edge)?,
+            twin: try_copy("half-edges", &self.twin)?,
+            outgoing_start: try_copy("vertices", &self.outgoing_start)?,
+            outgoing: try_copy("half-edges", &self.outgoing)?,
+        })
     }
 
     /// The faces and their corners.

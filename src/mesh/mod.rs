@@ -14,11 +14,13 @@ mod element;
 mod faces;
 mod half_edge;
 mod input;
+mod least_area;
 mod measure;
 mod nesting;
 mod options;
 mod orient;
 mod pseudonormal;
+mod repair;
 mod report;
 mod triangulate;
 mod weld;
@@ -37,6 +39,7 @@ pub(crate) use faces::{Faces, Sets};
 pub use half_edge::HalfEdges;
 pub(crate) use input::Input;
 pub use options::{MeshOptions, Orient};
+pub use repair::{RepairOptions, Repairs};
 
 use crate::error::Result;
 use crate::math::{Aabb, Vec3};
@@ -219,9 +222,25 @@ impl Mesh {
         &self.data.vertex
     }
 
+    /// The item of the vertex data that belongs to the corner where a half-edge begins: its vertex's, unless a
+    /// seam runs there.
+    pub fn vertex_data_row(&self, half_edge: u32) -> u32 {
+        self.data.row(half_edge, self.half_edges.origin(half_edge))
+    }
+
     /// Named data of the faces, by the number of the input face.
     pub fn face_fields(&self) -> &[Field] {
         &self.data.face
+    }
+
+    /// Whether any face has a tag other than 0, or a tag has a name.
+    pub(crate) fn is_tagged(&self) -> bool {
+        !self.tag_names.is_empty() || self.tags.iter().any(|t| *t != 0)
+    }
+
+    /// Rows of the vertex data: vertices, and other corners of seams.
+    pub(crate) fn row_count(&self) -> usize {
+        self.vertices.len() + self.data.seam_rows.len()
     }
 
     /// Data of vertices and faces, with their seams.
