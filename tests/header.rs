@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 21] = [
+const SOURCES: [&str; 22] = [
     "constants",
     "error",
     "callback",
@@ -26,6 +26,7 @@ const SOURCES: [&str; 21] = [
     "data",
     "assembly",
     "repair",
+    "polygon",
     "geometry",
     "shapes",
     "sampled",
