@@ -12,6 +12,7 @@ pub mod points;
 pub mod random;
 pub mod same;
 pub mod stl_bytes;
+pub mod vtp_files;
 pub mod winding;
 
 use embound::mesh::{Mesh, MeshOptions, Orient};
