@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 24] = [
     "constants",
     "error",
     "callback",
@@ -27,6 +27,8 @@ const SOURCES: [&str; 22] = [
     "assembly",
     "repair",
     "polygon",
+    "diagnosis_structs",
+    "diagnosis",
     "geometry",
     "shapes",
     "sampled",

@@ -12,7 +12,7 @@ use super::run::{emb_run, with_run};
 use super::versioned::{self, Versioned};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::io::{self, Format};
-use crate::mesh::{Mesh, MeshOptions, Orient};
+use crate::mesh::{Mesh, MeshOptions, Orient, Report};
 use std::ffi::{c_char, c_void};
 use std::mem::{offset_of, size_of};
 
@@ -94,7 +94,7 @@ pub struct emb_mesh_report {
     pub degenerate_faces: u64,
     /// Faces that repeat an earlier one.
     pub duplicate_faces: u64,
-    /// Pairs of faces that intersect; UINT64_MAX: not looked for.
+    /// Pairs of faces that intersect; UINT64_MAX: not looked for. emb_mesh_diagnose looks for them.
     pub self_intersections: u64,
     /// Signed volume, cubed units of the coordinates; it means something where the mesh is closed.
     pub volume: f64,
@@ -373,13 +373,13 @@ pub unsafe extern "C" fn emb_mesh_report_get(mesh: *const emb_mesh, report: *mut
     guard(|| unsafe {
         let mesh = lend("mesh", mesh)?;
         let size = versioned::result_size("report", report)?;
-        versioned::write_result(report, size, describe(mesh));
+        versioned::write_result(report, size, describe(mesh.report()));
         Ok(())
     })
 }
 
-fn describe(mesh: &Mesh) -> emb_mesh_report {
-    let report = mesh.report();
+/// A report without intersections.
+pub(super) fn describe(report: &Report) -> emb_mesh_report {
     emb_mesh_report {
         closed: report.closed.into(),
         consistent: report.consistent.into(),

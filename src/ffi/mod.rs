@@ -17,6 +17,8 @@ mod callback;
 mod combine;
 mod constants;
 mod data;
+mod diagnosis;
+mod diagnosis_structs;
 mod error;
 mod function;
 mod geometry;
@@ -44,6 +46,8 @@ pub use callback::{emb_drop_fn, emb_parallel_for_fn, emb_progress_fn, emb_value_
 pub use combine::*;
 pub use constants::*;
 pub use data::*;
+pub use diagnosis::*;
+pub use diagnosis_structs::{emb_diagnosis_options, emb_diagnosis_summary, emb_mesh_component, emb_mesh_loop};
 pub use error::{emb_isa, emb_last_error, emb_status, emb_version_number};
 pub use function::*;
 pub use geometry::*;

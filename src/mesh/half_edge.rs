@@ -3,6 +3,7 @@
 
 use super::edges::{Edges, NONE};
 use super::faces::{Faces, filled, starts_from_counts};
+use super::{Mesh, Triangle};
 use crate::error::{Result, try_copy};
 use std::ops::Range;
 
@@ -56,6 +57,23 @@ impl HalfEdges {
             outgoing_start: try_copy("vertices", &self.outgoing_start)?,
             outgoing: try_copy("half-edges", &self.outgoing)?,
         })
+    }
+
+    /// The topology of triangles, each a face of its own.
+    pub(crate) fn of_triangles(vertices: usize, triangles: &[Triangle]) -> Result<HalfEdges> {
+        let mut faces = Faces::with_capacity(triangles.len(), 3 * triangles.len())?;
+        triangles.iter().zip(0..).for_each(|(t, k)| faces.push(&t.vertices, k));
+        let edges = Edges::of(vertices, faces.half_edges())?;
+        let of_half_edge = faces.of_half_edges()?;
+        HalfEdges::new(vertices, faces, of_half_edge, &edges)
+    }
+
+    /// The topology of the triangles of a mesh; none where its faces are triangles, so that they have it already.
+    pub(crate) fn of_pieces(mesh: &Mesh) -> Result<Option<HalfEdges>> {
+        match mesh.half_edges.face_count() == mesh.triangles.len() {
+            true => Ok(None),
+            false => HalfEdges::of_triangles(mesh.vertices.len(), &mesh.triangles).map(Some),
+        }
     }
 
     /// The faces and their corners.

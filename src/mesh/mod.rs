@@ -7,6 +7,7 @@ mod build;
 mod clean;
 mod copies;
 mod data;
+mod diagnosis;
 mod duplicates;
 mod edges;
 mod element;
@@ -29,6 +30,10 @@ pub use assembly::{JoinTags, SplitBy};
 pub(crate) use build::{LARGEST_COORDINATE, build};
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};
+pub use diagnosis::{
+    BoundaryLoop, Component, Diagnosis, DiagnosisOptions, Duplicate, FaceMeasure, InconsistentEdge, Intersections,
+    Lists, NO_COMPONENT, NonmanifoldVertex,
+};
 pub use element::{Element, Measure};
 pub(crate) use faces::{Faces, Sets};
 pub use half_edge::HalfEdges;
