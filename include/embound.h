@@ -186,6 +186,16 @@
 // Triangles that fill a hole get the tag given.
 #define EMB_FILL_TAG_GIVEN 1
 
+// Inside where a ray crosses the boundary an odd number of times. Exact; polygons side by side share no point and miss
+// none.
+#define EMB_POLYGON_CROSSING 0
+
+// Inside where the boundary winds around the point, whichever way: also where a polygon covers itself twice. Exact.
+#define EMB_POLYGON_WINDING 1
+
+// Inside where the angles that the sides subtend sum to more than half a turn; either on the boundary.
+#define EMB_POLYGON_ANGLE 2
+
 // One mesh a tag, by rising tag.
 #define EMB_SPLIT_TAG 0
 
@@ -386,6 +396,8 @@ typedef struct emb_mesh_report {
   double lo[3];
   // Bounds, upper corner.
   double hi[3];
+  // Faces of more than three corners that are not plane or cross themselves; they are cut into triangles, too.
+  uint64_t warped_faces;
 } emb_mesh_report;
 
 // What there is to measure of one face, edge or vertex of a mesh as it stands.
@@ -901,7 +913,7 @@ emb_status emb_mesh_from_triangles_f32(size_t vertex_count,
                                        const emb_mesh_options *options,
                                        emb_mesh **out_mesh);
 
-// A mesh from planar polygons: face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
+// A mesh from polygons, plane or not quite (emb_mesh_report.warped_faces counts those): face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
 // least three. `offsets` holds face_count + 1 numbers that begin with 0 and do not fall. The rest as in
 // emb_mesh_from_triangles; the same errors.
 emb_status emb_mesh_from_polygons(size_t vertex_count,
@@ -1168,6 +1180,23 @@ emb_status emb_mesh_repair(const emb_mesh *mesh,
                            const emb_run *run,
                            emb_repair_result *result,
                            emb_mesh **out_mesh);
+
+// Whether a point of the plane lies in a polygon of `count` corners, x y each, whichever way they run: 1 or 0 to
+// *out_inside. `method` is EMB_POLYGON_CROSSING, _WINDING or _ANGLE. Fewer than three corners hold nothing. Cost: linear.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (method; a coordinate that is not finite). Any thread.
+emb_status emb_polygon_contains(size_t count,
+                                const double *xy,
+                                const double point[2],
+                                int32_t method,
+                                int32_t *out_inside);
+
+// The same for an input face of a mesh as it stands and a point in space, both seen along the largest component of the
+// face's area vector. Errors: those of emb_polygon_contains, and EMB_ERROR_INVALID_ARGUMENT where the face is gone.
+emb_status emb_mesh_face_contains(const emb_mesh *mesh,
+                                  uint64_t face,
+                                  const double point[3],
+                                  int32_t method,
+                                  int32_t *out_inside);
 
 // Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).

@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 23] = [
+const SOURCES: [&str; 24] = [
     "constants",
     "error",
     "callback",
@@ -26,6 +26,7 @@ const SOURCES: [&str; 23] = [
     "data",
     "assembly",
     "repair",
+    "polygon",
     "diagnosis_structs",
     "diagnosis",
     "geometry",

@@ -105,6 +105,14 @@ pub const EMB_FILL_TAG_AROUND: i32 = 0;
 /// Triangles that fill a hole get the tag given.
 pub const EMB_FILL_TAG_GIVEN: i32 = 1;
 
+/// Inside where a ray crosses the boundary an odd number of times. Exact; polygons side by side share no point and miss
+/// none.
+pub const EMB_POLYGON_CROSSING: i32 = 0;
+/// Inside where the boundary winds around the point, whichever way: also where a polygon covers itself twice. Exact.
+pub const EMB_POLYGON_WINDING: i32 = 1;
+/// Inside where the angles that the sides subtend sum to more than half a turn; either on the boundary.
+pub const EMB_POLYGON_ANGLE: i32 = 2;
+
 /// One mesh a tag, by rising tag.
 pub const EMB_SPLIT_TAG: i32 = 0;
 /// One mesh for what edges connect, by the lowest face of each.

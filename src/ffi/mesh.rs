@@ -104,6 +104,8 @@ pub struct emb_mesh_report {
     pub lo: [f64; 3],
     /// Bounds, upper corner.
     pub hi: [f64; 3],
+    /// Faces of more than three corners that are not plane or cross themselves; they are cut into triangles, too.
+    pub warped_faces: u64,
 }
 
 // SAFETY: repr(C), size first, numbers.
@@ -128,6 +130,7 @@ unsafe impl Versioned for emb_mesh_report {
         area: 0.0,
         lo: [0.0; 3],
         hi: [0.0; 3],
+        warped_faces: 0,
     };
 }
 
@@ -310,7 +313,7 @@ unsafe fn optional_tags<'a>(tags: *const i32, count: usize) -> Result<Option<&'a
     unsafe { slice("tags", tags, count) }.map(Some)
 }
 
-/// A mesh from planar polygons: face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
+/// A mesh from polygons, plane or not quite (emb_mesh_report.warped_faces counts those): face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
 /// least three. `offsets` holds face_count + 1 numbers that begin with 0 and do not fall. The rest as in
 /// emb_mesh_from_triangles; the same errors.
 #[unsafe(no_mangle)]
@@ -394,6 +397,7 @@ pub(super) fn describe(report: &Report) -> emb_mesh_report {
         area: report.area,
         lo: report.lo,
         hi: report.hi,
+        warped_faces: report.warped_faces as u64,
         ..emb_mesh_report::DEFAULT
     }
 }

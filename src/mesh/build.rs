@@ -31,11 +31,12 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     };
     let Cleaned { vertices, mut faces, source, shrunk } = clean(&input, welded)?;
     let face_count = input.face_numbers();
-    let Input { positions, same_as, faces: given, tags, tag_names, vertex_data, face_data, blame, .. } = input;
+    let Input { positions, same_as, faces: given, tags, tag_names, vertex_data, face_data, .. } = input;
     // Of a large file these are most of the memory.
     drop((positions, same_as, given));
     report.degenerate_faces = shrunk.len();
-    let mut triangles = triangulate(&vertices, &faces, blame)?;
+    let (mut triangles, warped) = triangulate(&vertices, &faces)?;
+    report.warped_faces = warped;
     let edges = Edges::of(vertices.len(), faces.half_edges())?;
     let of_half_edge = faces.of_half_edges()?;
     let repeats = duplicates::find(&faces, vertices.len())?;

@@ -48,6 +48,17 @@ impl HalfEdges {
         Ok(HalfEdges { faces, of_half_edge, twin, outgoing_start: start, outgoing })
     }
 
+    /// A copy.
+    pub(super) fn try_clone(&self) -> Result<HalfEdges> {
+        Ok(HalfEdges {
+            faces: self.faces.try_clone()?,
+            of_half_edge: try_copy("half-edges", &self.of_half_edge)?,
+            twin: try_copy("half-edges", &self.twin)?,
+            outgoing_start: try_copy("vertices", &self.outgoing_start)?,
+            outgoing: try_copy("half-edges", &self.outgoing)?,
+        })
+    }
+
     /// The topology of triangles, each a face of its own.
     pub(crate) fn of_triangles(vertices: usize, triangles: &[Triangle]) -> Result<HalfEdges> {
         let mut faces = Faces::with_capacity(triangles.len(), 3 * triangles.len())?;
@@ -63,17 +74,6 @@ impl HalfEdges {
             true => Ok(None),
             false => HalfEdges::of_triangles(mesh.vertices.len(), &mesh.triangles).map(Some),
         }
-    }
-
-    /// A copy.
-    pub(super) fn try_clone(&self) -> Result<HalfEdges> {
-        Ok(HalfEdges {
-            faces: self.faces.try_clone()?,
-            of_half_edge: try_copy("half-edges", &self.of_half_edge)?,
-            twin: try_copy("half-edges", &self.twin)?,
-            outgoing_start: try_copy("vertices", &self.outgoing_start)?,
-            outgoing: try_copy("half-edges", &self.outgoing)?,
-        })
     }
 
     /// The faces and their corners.

@@ -83,6 +83,9 @@ pub struct Report {
     pub degenerate_faces: usize,
     /// Faces that repeat an earlier one, in either winding.
     pub duplicate_faces: usize,
+    /// Faces of more than three corners that are farther from a plane than 1e-5 of their size (rounding of
+    /// their coordinates to f32 is allowed for) or cross themselves.
+    pub warped_faces: usize,
     /// Flux of the field (x, 0, 0) through the faces as they run: of a closed and consistent mesh, the
     /// volume it encloses, negative where it is inside out; of an open one it depends on where the mesh lies.
     pub volume: f64,
@@ -157,14 +160,13 @@ impl Mesh {
         build::build(arrays::check(xyz, None, indices, tags, options)?, options)
     }
 
-    /// A mesh of plane polygons: face f has the corners `indices[offsets[f]..offsets[f + 1]]`, at least
-    /// three. Faces may be concave and may touch themselves (a hole joined to the rim by a bridge); they
-    /// are cut into triangles by clipping ears.
+    /// A mesh of polygons: face f has the corners `indices[offsets[f]..offsets[f + 1]]`, at least three.
+    /// Faces may be concave, may touch themselves (a hole joined to the rim by a bridge) and need not be quite
+    /// plane: each is cut into triangles that keep its boundary ([`Report::warped_faces`] counts doubtful ones).
     ///
     /// # Errors
     /// Those of [`Mesh::from_triangles`]; offsets that do not begin with 0, fall, leave a face fewer than
-    /// three corners or do not end with the count of indices; a face that is farther from a plane than
-    /// 1e-5 of its size (rounding of its coordinates to f32 is allowed for) or crosses itself.
+    /// three corners or do not end with the count of indices.
     pub fn from_polygons(
         xyz: &[f64],
         offsets: &[usize],

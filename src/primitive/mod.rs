@@ -6,6 +6,7 @@ pub(crate) mod crossing;
 pub(crate) mod cuboid;
 pub(crate) mod ellipsoid;
 pub(crate) mod fan;
+pub mod inside;
 pub(crate) mod noise;
 pub(crate) mod outline;
 pub(crate) mod overlap;

@@ -13,6 +13,7 @@ pub mod points;
 pub mod random;
 pub mod same;
 pub mod stl_bytes;
+pub mod vtp_files;
 pub mod winding;
 
 #[allow(unused_imports)]

@@ -7,7 +7,7 @@ use crate::math::Vec3;
 use crate::mesh::edges::Edges;
 use crate::mesh::faces::{Faces, filled};
 use crate::mesh::{Input, edges};
-use crate::primitive::polygon::are_collinear;
+use crate::primitive::polygon::are_on_a_line;
 use std::collections::BTreeMap;
 
 /// Merges all of them; counts them in `dropped`. Where nothing else is left they stay.
@@ -31,9 +31,7 @@ fn vertex(input: &Input, row: u32) -> u32 {
 fn flat_faces(input: &Input) -> Result<Vec<bool>> {
     let mut flat = filled("faces", input.faces.len(), false)?;
     for (flat, ring) in flat.iter_mut().zip(input.faces.iter()) {
-        let at = |k: usize| input.positions[ring[k] as usize];
-        let other = (1..ring.len()).map(at).find(|p| *p != at(0)).unwrap_or(at(0));
-        *flat = (1..ring.len()).all(|k| are_collinear(at(0), other, at(k)));
+        *flat = are_on_a_line(ring.iter().map(|r| input.positions[*r as usize]));
     }
     Ok(flat)
 }
