@@ -31,7 +31,7 @@ TEST(a_clean_cube_has_nothing_to_tell) {
     CHECK(summary.components == 1 && summary.boundary_loops == 0 && summary.intersections_complete == 1);
     CHECK(found.nonmanifold_edges().empty() && found.inconsistent_edges().empty() && found.nonmanifold_vertices().empty());
     CHECK(found.shrunk_faces().empty() && found.flat_faces().empty() && found.duplicates().empty());
-    CHECK(found.slivers().empty() && found.off_plane_faces().empty() && found.intersections().empty() && found.loops().empty());
+    CHECK(found.slivers().empty() && found.warped_faces().empty() && found.off_plane_faces().empty() && found.intersections().empty() && found.loops().empty());
     CHECK(found.components().size() == 1 && found.components()[0].faces == 12 && found.components()[0].volume == 1.0);
     CHECK(found.text().find("to do: nothing: closed, consistent, outward") != std::string::npos);
 }
