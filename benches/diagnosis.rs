@@ -4,6 +4,7 @@
 //!
 //!     cargo bench --bench diagnosis -- [million | fan | leaves | copies | pieces | loop | mesh file] ...
 //!
+//! `fine=FILE` cuts each triangle of a file in four until there are half a million.
 //! `million` is a torus of a million triangles; the others are 100,000 faces round one vertex, 100,000 at one
 //! edge, 100,000 copies of one face, 100,000 components, and one boundary loop of a million edges.
 
@@ -73,8 +74,21 @@ fn generated(name: &str) -> Option<Soup> {
         "copies" => Soup { triangles: vec![bodies::tetrahedron().triangles; 25_000].concat(), ..bodies::tetrahedron() },
         "pieces" => pieces(50),
         "loop" => strip(500_000),
-        _ => return None,
+        _ => fine(name.strip_prefix("fine=")?),
     })
+}
+
+/// The surface of a file in small triangles.
+fn fine(path: &str) -> Soup {
+    let mesh = read(path);
+    let mut soup = Soup {
+        vertices: mesh.vertices().iter().map(|p| p.to_array()).collect(),
+        triangles: mesh.triangles().iter().map(|t| t.vertices).collect(),
+    };
+    while soup.triangles.len() < 500_000 {
+        soup = bodies::quartered(&soup);
+    }
+    soup
 }
 
 /// A disc of narrow triangles with a ragged rim, tilted, and one triangle through it.

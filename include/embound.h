@@ -1235,6 +1235,16 @@ emb_status emb_diagnosis_summary_get(const emb_diagnosis *diagnosis, emb_diagnos
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the size).
 emb_status emb_diagnosis_text(const emb_diagnosis *diagnosis, size_t capacity, char *out_text, size_t *out_size);
 
+// The component `index`, which is below emb_diagnosis_summary.components; by lowest face. The caller sets struct_size.
+// O(1). Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (index, struct_size).
+emb_status emb_diagnosis_component(const emb_diagnosis *diagnosis,
+                                   size_t index,
+                                   emb_mesh_component *component);
+
+// The boundary loop `index`, which is below emb_diagnosis_summary.boundary_loops; by lowest vertex. The caller sets
+// struct_size. O(1). Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (index, struct_size).
+emb_status emb_diagnosis_loop(const emb_diagnosis *diagnosis, size_t index, emb_mesh_loop *boundary);
+
 // Edges of more than two faces: two vertices each, the lower first, and the number of faces at each.
 emb_status emb_diagnosis_nonmanifold_edges(const emb_diagnosis *diagnosis,
                                            size_t capacity,
@@ -1316,21 +1326,11 @@ emb_status emb_diagnosis_intersections(const emb_diagnosis *diagnosis,
                                        int64_t *out_faces,
                                        size_t *out_count);
 
-// The component `index`, which is below emb_diagnosis_summary.components; by lowest face. The caller sets struct_size.
-// O(1). Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (index, struct_size).
-emb_status emb_diagnosis_component(const emb_diagnosis *diagnosis,
-                                   size_t index,
-                                   emb_mesh_component *component);
-
 // The component of each input face; EMB_NO_INDEX for those that welding left fewer than three corners.
 emb_status emb_diagnosis_face_components(const emb_diagnosis *diagnosis,
                                          size_t capacity,
                                          uint32_t *out_components,
                                          size_t *out_count);
-
-// The boundary loop `index`, which is below emb_diagnosis_summary.boundary_loops; by lowest vertex. The caller sets
-// struct_size. O(1). Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (index, struct_size).
-emb_status emb_diagnosis_loop(const emb_diagnosis *diagnosis, size_t index, emb_mesh_loop *boundary);
 
 // The vertices of the boundary loop `index`, in order, each once, from the lowest on (of a chain that does not close,
 // from the lower of its ends). It runs the way the faces at it ran when read, where these agree: seen from outside,

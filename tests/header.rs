@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 24] = [
+const SOURCES: [&str; 25] = [
     "constants",
     "error",
     "callback",
@@ -29,6 +29,7 @@ const SOURCES: [&str; 24] = [
     "polygon",
     "diagnosis_structs",
     "diagnosis",
+    "diagnosis_lists",
     "geometry",
     "shapes",
     "sampled",

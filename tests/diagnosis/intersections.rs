@@ -173,3 +173,39 @@ fn a_fin_folded_onto_its_neighbour_is_found() {
     let lifted = soup.map(|p| if p == [1.0, 1.0, 0.0] { [1.0, 1.0, 1e-12] } else { p });
     assert_eq!(pairs(&lifted.mesh_kept()), [[0u32; 2]; 0]);
 }
+
+#[test]
+fn corners_in_the_middle_of_straight_edges_are_shared_as_others_are() {
+    // A box whose upper half is cut in two along x: the faces below have corners in the middles of straight edges.
+    let at = |i: usize, j: usize, k: usize| (i + 3 * j + 6 * k) as u32;
+    let vertices: Vec<[f64; 3]> =
+        (0..18).map(|v| [(v % 3) as f64 * 0.7, (v / 3 % 2) as f64 * 0.3, (v / 6) as f64 * 0.1]).collect();
+    let faces: Vec<Vec<u32>> = vec![
+        vec![at(0, 0, 0), at(0, 1, 0), at(2, 1, 0), at(2, 0, 0)],
+        vec![at(0, 0, 0), at(2, 0, 0), at(2, 0, 1), at(1, 0, 1), at(0, 0, 1)],
+        vec![at(2, 1, 0), at(0, 1, 0), at(0, 1, 1), at(1, 1, 1), at(2, 1, 1)],
+        vec![at(0, 1, 0), at(0, 0, 0), at(0, 0, 1), at(0, 0, 2), at(0, 1, 2), at(0, 1, 1)],
+        vec![at(2, 0, 0), at(2, 1, 0), at(2, 1, 1), at(2, 1, 2), at(2, 0, 2), at(2, 0, 1)],
+        vec![at(0, 0, 1), at(1, 0, 1), at(1, 0, 2), at(0, 0, 2)],
+        vec![at(1, 0, 1), at(2, 0, 1), at(2, 0, 2), at(1, 0, 2)],
+        vec![at(1, 1, 1), at(0, 1, 1), at(0, 1, 2), at(1, 1, 2)],
+        vec![at(2, 1, 1), at(1, 1, 1), at(1, 1, 2), at(2, 1, 2)],
+        vec![at(0, 0, 2), at(1, 0, 2), at(1, 1, 2), at(0, 1, 2)],
+        vec![at(1, 0, 2), at(2, 0, 2), at(2, 1, 2), at(1, 1, 2)],
+    ];
+    let mut offsets = vec![0];
+    faces.iter().for_each(|f| offsets.push(offsets[offsets.len() - 1] + f.len()));
+    for rotated in 0..4 {
+        let indices: Vec<u32> = faces
+            .iter()
+            .flat_map(|f| {
+                let mut f = f.clone();
+                f.rotate_left(rotated);
+                f
+            })
+            .collect();
+        let mesh = Mesh::from_polygons(&vertices.concat(), &offsets, &indices, None, &Default::default()).unwrap();
+        assert!(mesh.report().closed && mesh.report().consistent);
+        assert_eq!(pairs(&mesh), [[0u32; 2]; 0], "rotated by {rotated}");
+    }
+}

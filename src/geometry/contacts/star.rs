@@ -3,7 +3,7 @@
 
 use super::Contacts;
 use super::collect::Chunk;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::primitive::fan;
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ impl Contacts<'_> {
         let mut ring = Vec::new();
         for v in vertices {
             let v = v as u32;
-            if self.is_clear(v, &mut ring) {
+            if self.is_clear(v, &mut ring)? {
                 continue;
             }
             let leaving = self.topology.outgoing(v);
@@ -40,13 +40,14 @@ impl Contacts<'_> {
 
     /// Whether the triangles at a vertex are one fan or disc that is proved to keep clear of itself. `ring` is
     /// scratch.
-    fn is_clear(&self, v: u32, ring: &mut Vec<u32>) -> bool {
+    fn is_clear(&self, v: u32, ring: &mut Vec<u32>) -> Result<bool> {
         let topology = self.topology;
         let leaving = topology.outgoing(v);
-        let Some(&lowest) = leaving.first() else { return true };
+        let Some(&lowest) = leaving.first() else { return Ok(true) };
         let first = leaving.iter().copied().find(|h| topology.twin(*h).is_none()).unwrap_or(lowest);
         // Each half-edge of the fan leads to a point of the ring, and the last one's triangle has one more.
         ring.clear();
+        ring.try_reserve(leaving.len() + 1).map_err(|_| Error::memory("vertices", leaving.len() + 1))?;
         let (mut at, mut closed) = (first, false);
         for _ in 0..leaving.len() {
             ring.push(topology.target(at));
@@ -65,6 +66,6 @@ impl Contacts<'_> {
         }
         let triangles = if closed { ring.len() } else { ring.len() - 1 };
         let place = |v: u32| self.vertices[v as usize];
-        triangles == leaving.len() && fan::is_clear(place(v), |k| place(ring[k]), ring.len(), closed, self.slack)
+        Ok(triangles == leaving.len() && fan::is_clear(place(v), |k| place(ring[k]), ring.len(), closed, self.slack))
     }
 }
