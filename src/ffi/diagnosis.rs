@@ -8,7 +8,7 @@ use super::lists::give_text;
 use super::mesh::{describe, emb_mesh, emb_mesh_report};
 use super::run::{emb_run, with_run};
 use super::versioned;
-use crate::error::{Error, Result};
+use crate::error::Error;
 use crate::mesh::{Diagnosis, DiagnosisOptions};
 use crate::query;
 use std::ffi::c_char;

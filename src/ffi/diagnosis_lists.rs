@@ -10,6 +10,7 @@ use crate::error::Result;
 use crate::mesh::FaceMeasure;
 
 /// Edges of more than two faces: two vertices each, the lower first, and the number of faces at each.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_nonmanifold_edges(
     diagnosis: *const emb_diagnosis,
@@ -33,7 +34,8 @@ pub unsafe extern "C" fn emb_diagnosis_nonmanifold_edges(
 }
 
 /// The faces at the edge `index` of emb_diagnosis_nonmanifold_edges, ascending.
-/// Errors besides: EMB_ERROR_INVALID_ARGUMENT (index).
+/// Also EMB_ERROR_INVALID_ARGUMENT: index.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_nonmanifold_edge_faces(
     diagnosis: *const emb_diagnosis,
@@ -55,6 +57,7 @@ pub unsafe extern "C" fn emb_diagnosis_nonmanifold_edge_faces(
 }
 
 /// Edges that two faces run along the same way: two vertices and two faces each, the lower first.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_inconsistent_edges(
     diagnosis: *const emb_diagnosis,
@@ -78,6 +81,7 @@ pub unsafe extern "C" fn emb_diagnosis_inconsistent_edges(
 
 /// Vertices at which the faces do not form one fan or one disc, and into how many fans and discs they fall: an edge
 /// of more than two faces parts them.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_nonmanifold_vertices(
     diagnosis: *const emb_diagnosis,
@@ -100,6 +104,7 @@ pub unsafe extern "C" fn emb_diagnosis_nonmanifold_vertices(
 }
 
 /// Faces that welding took corners from; those left with fewer than three are gone.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_shrunk_faces(
     diagnosis: *const emb_diagnosis,
@@ -112,6 +117,7 @@ pub unsafe extern "C" fn emb_diagnosis_shrunk_faces(
 }
 
 /// Faces of three or more corners and exactly zero area.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_flat_faces(
     diagnosis: *const emb_diagnosis,
@@ -138,6 +144,7 @@ unsafe fn give_faces(faces: &[u32], capacity: usize, out_faces: *mut i64, out_co
 
 /// Faces that repeat an earlier one, whichever way they run: each with the earliest that it repeats, and with 1 where
 /// both run the same way, else 0.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_duplicates(
     diagnosis: *const emb_diagnosis,
@@ -163,6 +170,7 @@ pub unsafe extern "C" fn emb_diagnosis_duplicates(
 }
 
 /// Slivers, and for each its smallest height over its longest edge (emb_diagnosis_options.sliver_ratio).
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_slivers(
     diagnosis: *const emb_diagnosis,
@@ -179,6 +187,7 @@ pub unsafe extern "C" fn emb_diagnosis_slivers(
 
 /// Faces that emb_mesh_report.warped_faces counts, and by how much each is off a plane, over the diagonal of the box
 /// around it: nothing where a plane face crosses itself.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_warped_faces(
     diagnosis: *const emb_diagnosis,
@@ -195,6 +204,7 @@ pub unsafe extern "C" fn emb_diagnosis_warped_faces(
 
 /// Faces whose corners are off a plane by more than emb_diagnosis_options.off_plane_ratio, and by how much, over the
 /// diagonal of the box around the face.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_off_plane_faces(
     diagnosis: *const emb_diagnosis,
@@ -232,6 +242,7 @@ unsafe fn give_measures(
 
 /// Pairs of faces that intersect, the lower of each first: as many as were listed, none where they were not looked for
 /// (emb_diagnosis_options.intersection_limit).
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_intersections(
     diagnosis: *const emb_diagnosis,
@@ -252,6 +263,7 @@ pub unsafe extern "C" fn emb_diagnosis_intersections(
 }
 
 /// The component of each input face; EMB_NO_INDEX for those that welding left fewer than three corners.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_face_components(
     diagnosis: *const emb_diagnosis,
@@ -268,7 +280,8 @@ pub unsafe extern "C" fn emb_diagnosis_face_components(
 
 /// The vertices of the boundary loop `index`, in order, each once, from the lowest on (of a chain that does not close,
 /// from the lower of its ends). It runs the way the faces at it ran when read, where these agree: seen from outside,
-/// clockwise round a hole. Errors besides: EMB_ERROR_INVALID_ARGUMENT (index).
+/// clockwise round a hole. Also EMB_ERROR_INVALID_ARGUMENT: index.
+/// Capacity, errors and cost: see emb_diagnosis.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_loop_vertices(
     diagnosis: *const emb_diagnosis,
