@@ -110,6 +110,10 @@
 // Every face is turned over, and nothing else done.
 #define EMB_ORIENT_FLIP 2
 
+// As EMB_ORIENT_AUTO, but every closed shell alternates with those around it, whatever it was as given: outermost
+// shells face outward, those within them inward, and so on.
+#define EMB_ORIENT_ALTERNATE 3
+
 // The format is found from the content.
 #define EMB_FORMAT_DETECT 0
 
@@ -154,6 +158,43 @@
 
 // Every face's tag is the number of its mesh or file.
 #define EMB_JOIN_BY_MESH 2
+
+// Vertices nearer than a tolerance become one.
+#define EMB_REPAIR_WELD 1
+
+// Faces of zero area leave; the faces next to them take over their corners, so that no crack opens.
+#define EMB_REPAIR_DEGENERATE 2
+
+// Faces that repeat an earlier one leave, but for the wall between two bodies in contact.
+#define EMB_REPAIR_DUPLICATES 4
+
+// Components become consistent, closed shells outward and inward in turn.
+#define EMB_REPAIR_ORIENT 8
+
+// Small holes are filled.
+#define EMB_REPAIR_HOLES 16
+
+// Fans of faces that meet in one vertex get one each: bodies that share a vertex or an edge come apart.
+#define EMB_REPAIR_SPLIT 32
+
+// All of these.
+#define EMB_REPAIR_ALL 63
+
+// Triangles that fill a hole get the tag of most faces round it.
+#define EMB_FILL_TAG_AROUND 0
+
+// Triangles that fill a hole get the tag given.
+#define EMB_FILL_TAG_GIVEN 1
+
+// Inside where a ray crosses the boundary an odd number of times. Exact; polygons side by side share no point and miss
+// none.
+#define EMB_POLYGON_CROSSING 0
+
+// Inside where the boundary winds around the point, whichever way: also where a polygon covers itself twice. Exact.
+#define EMB_POLYGON_WINDING 1
+
+// Inside where the angles that the sides subtend sum to more than half a turn; either on the boundary.
+#define EMB_POLYGON_ANGLE 2
 
 // One mesh a tag, by rising tag.
 #define EMB_SPLIT_TAG 0
@@ -283,7 +324,7 @@ typedef struct emb_mesh_options {
   // Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
   // equal positions; -1: none.
   double weld_tolerance;
-  // EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP or EMB_ORIENT_FLIP.
+  // EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE.
   int32_t orient;
   // EMB_FORMAT_DETECT, the default, or the format the bytes must be in; used when reading.
   int32_t format;
@@ -346,6 +387,8 @@ typedef struct emb_mesh_report {
   double lo[3];
   // Bounds, upper corner.
   double hi[3];
+  // Faces of more than three corners that are not plane or cross themselves; they are cut into triangles, too.
+  uint64_t warped_faces;
 } emb_mesh_report;
 
 // What there is to measure of one face, edge or vertex of a mesh as it stands.
@@ -371,6 +414,51 @@ typedef struct emb_mesh_field {
   // v, and behind them those of other corners of vertices whose data differ between faces (seams).
   size_t count;
 } emb_mesh_field;
+
+// What to repair; fill it with emb_repair_options_init.
+typedef struct emb_repair_options {
+  // sizeof(emb_repair_options)
+  size_t struct_size;
+  // EMB_REPAIR_* flags, EMB_REPAIR_ALL by default.
+  int32_t flags;
+  // EMB_FILL_TAG_AROUND, the default, or EMB_FILL_TAG_GIVEN.
+  int32_t fill_tag_rule;
+  // The tag of triangles that fill holes, under EMB_FILL_TAG_GIVEN.
+  int32_t fill_tag;
+  // EMB_REPAIR_WELD: vertices nearer than this times the diagonal become one; 0, the default: those with equal
+  // positions; otherwise between 1e-12 and 0.5.
+  double weld_tolerance;
+  // EMB_REPAIR_HOLES: holes with more edges stay; 1,000 by default. Filling one takes the cube of their number.
+  size_t hole_edges;
+  // EMB_REPAIR_HOLES: holes whose rim is longer than this times the diagonal of the mesh stay; 1 by default.
+  double hole_length;
+} emb_repair_options;
+
+// What a repair did.
+typedef struct emb_repair_result {
+  // sizeof(emb_repair_result), set by the caller
+  size_t struct_size;
+  // Vertices that are gone after welding.
+  uint64_t vertices_welded;
+  // Faces that welding left fewer than three corners.
+  uint64_t faces_collapsed;
+  // Faces of zero area that left.
+  uint64_t degenerate_faces;
+  // Faces that repeated an earlier one and left.
+  uint64_t duplicate_faces;
+  // Vertices added for fans of faces that met in one.
+  uint64_t vertices_split;
+  // Faces turned over.
+  uint64_t faces_turned;
+  // Components turned over as a whole.
+  uint64_t components_turned;
+  // Holes filled.
+  uint64_t holes_filled;
+  // Holes left: too large, or not to be filled without edges of more than two faces.
+  uint64_t holes_left;
+  // Triangles that fill holes.
+  uint64_t faces_added;
+} emb_repair_result;
 
 // How a mesh becomes a geometry; fill it with emb_sdf_options_init.
 typedef struct emb_sdf_options {
@@ -715,7 +803,7 @@ emb_status emb_mesh_from_triangles_f32(size_t vertex_count,
                                        const emb_mesh_options *options,
                                        emb_mesh **out_mesh);
 
-// A mesh from planar polygons: face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
+// A mesh from polygons, plane or not quite (emb_mesh_report.warped_faces counts those): face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
 // least three. `offsets` holds face_count + 1 numbers that begin with 0 and do not fall. The rest as in
 // emb_mesh_from_triangles; the same errors.
 emb_status emb_mesh_from_polygons(size_t vertex_count,
@@ -962,6 +1050,43 @@ emb_status emb_mesh_split(const emb_mesh *mesh,
                           size_t capacity,
                           emb_mesh **out_meshes,
                           size_t *out_count);
+
+// Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
+emb_status emb_repair_options_init(emb_repair_options *options, size_t size);
+
+// Makes a repaired mesh; `mesh` stays as it is. The steps asked for (options NULL: all) are taken in this order: WELD,
+// DEGENERATE, DUPLICATES, SPLIT, ORIENT, HOLES (then ORIENT again, as what was open had no outside); what is not asked
+// for is not done. Faces keep their numbers, tags and data, so emb_geom_closest still names faces of the input;
+// triangles that fill holes (least area over the rim: Barequet & Sharir 1995, Liepa 2003) take numbers from
+// emb_mesh_face_count(mesh) on, data of vertices from the rim, and NaN as data of faces. *result, whose struct_size the
+// caller has set, tells what was done; it may be NULL. On success *out_mesh is the caller's, to be freed with
+// emb_mesh_free. The calling thread tells `run` 0 before and 1 after. Cost: near linear, and the cube of the edges of
+// each hole filled. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options, struct sizes), EMB_ERROR_MEMORY,
+// EMB_ERROR_CANCELLED.
+emb_status emb_mesh_repair(const emb_mesh *mesh,
+                           const emb_repair_options *options,
+                           const emb_run *run,
+                           emb_repair_result *result,
+                           emb_mesh **out_mesh);
+
+// Whether a point of the plane lies in a polygon of `count` corners, x y each, whichever way they run: 1 or 0 to
+// *out_inside. `method` is EMB_POLYGON_CROSSING, _WINDING or _ANGLE. Fewer than three corners hold nothing. Cost: linear.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (method; a coordinate that is not finite). Any thread.
+emb_status emb_polygon_contains(size_t count,
+                                const double *xy,
+                                const double point[2],
+                                int32_t method,
+                                int32_t *out_inside);
+
+// The same for an input face of a mesh as it stands and a point in space, both seen along the largest component of the
+// face's area vector. Errors: those of emb_polygon_contains, and EMB_ERROR_INVALID_ARGUMENT where the face is gone.
+emb_status emb_mesh_face_contains(const emb_mesh *mesh,
+                                  uint64_t face,
+                                  const double point[3],
+                                  int32_t method,
+                                  int32_t *out_inside);
 
 // Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).

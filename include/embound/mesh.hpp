@@ -17,7 +17,8 @@ namespace embound {
 enum class Orient : std::int32_t {
     Auto = EMB_ORIENT_AUTO, ///< Made consistent and outward.
     Keep = EMB_ORIENT_KEEP, ///< As given: solvers that mean internal flow keep inward normals.
-    Flip = EMB_ORIENT_FLIP  ///< Every face turned over, nothing else.
+    Flip = EMB_ORIENT_FLIP, ///< Every face turned over, nothing else.
+    Alternate = EMB_ORIENT_ALTERNATE ///< As Auto, but closed shells alternate with those around them.
 };
 
 /// How vertices and faces become a mesh: a point p of the input becomes

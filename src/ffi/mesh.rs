@@ -3,8 +3,8 @@
 
 use super::arrays::{elements, path, slice};
 use super::constants::{
-    EMB_FORMAT_DETECT, EMB_FORMAT_OBJ, EMB_FORMAT_PLY, EMB_FORMAT_STL, EMB_FORMAT_VTK, EMB_FORMAT_VTP, EMB_ORIENT_AUTO,
-    EMB_ORIENT_FLIP, EMB_ORIENT_KEEP,
+    EMB_FORMAT_DETECT, EMB_FORMAT_OBJ, EMB_FORMAT_PLY, EMB_FORMAT_STL, EMB_FORMAT_VTK, EMB_FORMAT_VTP,
+    EMB_ORIENT_ALTERNATE, EMB_ORIENT_AUTO, EMB_ORIENT_FLIP, EMB_ORIENT_KEEP,
 };
 use super::error::{emb_status, guard, plain};
 use super::handle::{Handle, give, lend, release, share, writable};
@@ -41,7 +41,7 @@ pub struct emb_mesh_options {
     /// Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
     /// equal positions; -1: none.
     pub weld_tolerance: f64,
-    /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP or EMB_ORIENT_FLIP.
+    /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE.
     pub orient: i32,
     /// EMB_FORMAT_DETECT, the default, or the format the bytes must be in; used when reading.
     pub format: i32,
@@ -104,6 +104,8 @@ pub struct emb_mesh_report {
     pub lo: [f64; 3],
     /// Bounds, upper corner.
     pub hi: [f64; 3],
+    /// Faces of more than three corners that are not plane or cross themselves; they are cut into triangles, too.
+    pub warped_faces: u64,
 }
 
 // SAFETY: repr(C), size first, numbers.
@@ -128,6 +130,7 @@ unsafe impl Versioned for emb_mesh_report {
         area: 0.0,
         lo: [0.0; 3],
         hi: [0.0; 3],
+        warped_faces: 0,
     };
 }
 
@@ -142,6 +145,7 @@ pub(super) unsafe fn options(given: *const emb_mesh_options) -> Result<(MeshOpti
         EMB_ORIENT_AUTO => Orient::Auto,
         EMB_ORIENT_KEEP => Orient::Keep,
         EMB_ORIENT_FLIP => Orient::Flip,
+        EMB_ORIENT_ALTERNATE => Orient::Alternate,
         other => return Err(Error::invalid(format!("options.orient: {other} is not an EMB_ORIENT_*"))),
     };
     let format = match given.format {
@@ -309,7 +313,7 @@ unsafe fn optional_tags<'a>(tags: *const i32, count: usize) -> Result<Option<&'a
     unsafe { slice("tags", tags, count) }.map(Some)
 }
 
-/// A mesh from planar polygons: face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
+/// A mesh from polygons, plane or not quite (emb_mesh_report.warped_faces counts those): face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
 /// least three. `offsets` holds face_count + 1 numbers that begin with 0 and do not fall. The rest as in
 /// emb_mesh_from_triangles; the same errors.
 #[unsafe(no_mangle)]
@@ -393,6 +397,7 @@ fn describe(mesh: &Mesh) -> emb_mesh_report {
         area: report.area,
         lo: report.lo,
         hi: report.hi,
+        warped_faces: report.warped_faces as u64,
         ..emb_mesh_report::DEFAULT
     }
 }

@@ -96,7 +96,7 @@ impl Mesh {
     }
 
     /// The part of each face as it stands, and how many there are.
-    fn parts(&self, by: SplitBy) -> Result<(Vec<u32>, usize)> {
+    pub(super) fn parts(&self, by: SplitBy) -> Result<(Vec<u32>, usize)> {
         let topology = &self.half_edges;
         let mut part = filled("faces", topology.face_count(), 0u32)?;
         match by {

@@ -36,16 +36,19 @@ fn single(vertices: &[Vec3], faces: &Faces, triangles: &[Triangle], repeats: &Re
 
 /// The faces to turn over so that what is left without copies is oriented, and copies run as the one that
 /// stands for them.
-pub(super) fn turned(parts: &Parts, repeats: &Repeats) -> Result<Vec<bool>> {
+pub(super) fn turned(parts: &Parts, repeats: &Repeats, alternate: bool) -> Result<Vec<bool>> {
     let Single { faces, triangles, edges, walled } = single(parts.vertices, parts.faces, parts.triangles, repeats)?;
     let of_half_edge = faces.of_half_edges()?;
-    let of_single = orient::outward(&Parts {
-        vertices: parts.vertices,
-        faces: &faces,
-        triangles: &triangles,
-        edges: &edges,
-        of_half_edge: &of_half_edge,
-    })?;
+    let of_single = orient::outward(
+        &Parts {
+            vertices: parts.vertices,
+            faces: &faces,
+            triangles: &triangles,
+            edges: &edges,
+            of_half_edge: &of_half_edge,
+        },
+        alternate,
+    )?;
     let first = if walled { &repeats.same_way } else { &repeats.either_way };
     let mut turned = filled("faces", first.len(), false)?;
     let mut next = 0;

@@ -125,7 +125,7 @@ impl Data {
         }
         let seam_rows = try_copy("rows", &vertex_of_row[vertices..])?;
         let mut rows = try_with_capacity("fields", vertex.len())?;
-        for field in &vertex {
+        for field in vertex {
             rows.push(field.gathered(given_of_row.iter().copied())?);
         }
         if seam_rows.is_empty() {
@@ -227,7 +227,7 @@ impl Mesh {
         Ok(Mesh { tags: try_copy("tags", tags)?, tag_names: names, ..self.copied()? })
     }
 
-    fn copied(&self) -> Result<Mesh> {
+    pub(super) fn copied(&self) -> Result<Mesh> {
         Ok(Mesh {
             vertices: try_copy("vertices", &self.vertices)?,
             triangles: try_copy("triangles", &self.triangles)?,
