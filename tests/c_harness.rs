@@ -178,9 +178,13 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_mesh_options: struct_size, scale, rotation, shift, weld_tolerance, orient, format, index_base);
     layout!(lines, emb_mesh_report: struct_size, closed, consistent, inside_out, components, vertices, faces,
         triangles, boundary_edges, nonmanifold_edges, inconsistent_edges, degenerate_faces, duplicate_faces,
-        self_intersections, volume, area, lo, hi);
+        self_intersections, volume, area, lo, hi, warped_faces);
     layout!(lines, emb_mesh_measure: struct_size, normal, centroid, size);
     layout!(lines, emb_mesh_field: struct_size, components, count);
+    layout!(lines, emb_repair_options: struct_size, flags, fill_tag_rule, fill_tag, weld_tolerance, hole_edges,
+        hole_length);
+    layout!(lines, emb_repair_result: struct_size, vertices_welded, faces_collapsed, degenerate_faces,
+        duplicate_faces, vertices_split, faces_turned, components_turned, holes_filled, holes_left, faces_added);
     layout!(lines, emb_sdf_options: struct_size, sign, open, axis, accelerator, open_lo, open_hi);
     layout!(lines, emb_callback_options: struct_size, lo, hi, lipschitz, gradient_step, kind, thread_safe, values,
         gradient, range);
