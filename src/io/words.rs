@@ -20,6 +20,16 @@ impl<'a> Words<'a> {
         Words { bytes: bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), at: 0, line: 1 }
     }
 
+    /// The words of a piece of text that begins in this line.
+    pub fn from_line(bytes: &'a [u8], line: usize) -> Words<'a> {
+        Words { bytes, at: 0, line }
+    }
+
+    /// Bytes not read yet.
+    pub fn left(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
     /// The line of the last word, from 1.
     pub fn line(&self) -> usize {
         self.line

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Polygons as flat index arrays, and vectors whose size comes from input.
 
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, try_copy, try_with_capacity};
 
 /// Polygons: face f has the corners `corners[start[f]..start[f + 1]]`. Its half-edges have the same numbers
 /// as its corners: each runs from its corner to the next one of the face.
@@ -19,6 +19,15 @@ impl Faces {
         let mut start = try_with_capacity("faces", faces + 1)?;
         start.push(0);
         Ok(Faces { start, corners: try_with_capacity("corners", corners)?, input: try_with_capacity("faces", faces)? })
+    }
+
+    /// A copy.
+    pub fn try_clone(&self) -> Result<Faces> {
+        Ok(Faces {
+            start: try_copy("faces", &self.start)?,
+            corners: try_copy("corners", &self.corners)?,
+            input: try_copy("faces", &self.input)?,
+        })
     }
 
     /// Adds a face.

@@ -6,6 +6,7 @@
 #![allow(dead_code)]
 
 pub mod bodies;
+mod description;
 pub mod native;
 pub mod obj_files;
 pub mod points;
@@ -14,6 +15,9 @@ pub mod same;
 pub mod stl_bytes;
 pub mod vtp_files;
 pub mod winding;
+
+#[allow(unused_imports)]
+pub use description::{Described, described};
 
 use embound::mesh::{Mesh, MeshOptions, Orient};
 
