@@ -129,13 +129,13 @@ fn vtk_binary(soup: &Soup, offsets: bool) -> Vec<u8> {
 
 /// Large files that ask for as much memory a byte as their format allows.
 pub fn large() -> Vec<(&'static str, crate::Format, Vec<u8>)> {
-    use crate::Format::{Obj, Stl, Vtp};
+    use crate::Format::{Obj, Ply, Stl, Vtk, Vtp};
     let triangles = 200_000;
     let soup = bodies::torus(2.0, 0.5, 400, 250);
     let groups: String =
         (0..triangles).fold("v 0 0 0\nv 1 0 0\nv 0 1 0\n".into(), |t, k| t + &format!("g {k}\nf 1 2 3\n"));
     let polygon: String =
-        (0..triangles).fold("v 0 0 0\nv 1 0 0\nv 0 1 0\nf".into(), |t, k| t + [" 1", " 2", " 3"][k % 3]);
+        (0..20_000).fold("v 0 0 0\nv 1 0 0\nv 0 1 0\nf".into(), |t, k| t + [" 1", " 2", " 3"][k % 3]);
     let tags = "<VTKFile type=\"PolyData\">".to_owned() + &"<a b=\"\"/>".repeat(triangles);
     let pieces = "<VTKFile type=\"PolyData\"><PolyData>".to_owned() + &"<Piece/>".repeat(triangles);
     let arrays = "<VTKFile type=\"PolyData\"><PolyData><Piece><Points>".to_owned() + &"<Array/>".repeat(triangles);
@@ -152,18 +152,21 @@ pub fn large() -> Vec<(&'static str, crate::Format, Vec<u8>)> {
         ("pieces", Vtp, pieces.into_bytes()),
         ("arrays", Vtp, arrays.into_bytes()),
         ("attributes", Vtp, (attributes + ">").into_bytes()),
+        ("ply", Ply, ply_binary(&soup, false)),
+        ("ply text", Ply, ply_text(&soup)),
+        ("vtk", Vtk, vtk_binary(&soup, false)),
+        ("vtk 5", Vtk, vtk_binary(&soup, true)),
         ("vtp", Vtp, file(Style::new(Form::AppendedRaw), &[Piece::of(&soup)])),
         ("zlib", Vtp, file(Style { block: 32768, ..Style::new(Form::AppendedRaw) }, &[Piece::of(&soup)])),
-        ("few types", Vtp, few_types(1 << 21)),
+        ("few points", Vtp, few_points(1 << 21)),
     ]
 }
 
-/// A file of polygons that take a byte a corner and a byte a cell, with data.
-fn few_types(count: usize) -> Vec<u8> {
+/// A text of polygons over a hundred points, with data.
+fn few_points(count: usize) -> Vec<u8> {
     let polys =
         (0..count / 3).map(|k| vec![(k % 100) as u32, ((k + 1) % 100) as u32, ((k + 3) % 100) as u32]).collect();
     let points: Vec<[f64; 3]> = (0..100).map(|k| [f64::from(k), f64::from(k * k % 7), f64::from(k % 3)]).collect();
     let cell_data = vec![Array::new("a", "Int8", 1, &vec![1.0; count / 3])];
-    let bytes = file(Style::new(Form::Ascii), &[Piece { points, polys, cell_data, ..Piece::default() }]);
-    bytes
+    file(Style::new(Form::Ascii), &[Piece { points, polys, cell_data, ..Piece::default() }])
 }
