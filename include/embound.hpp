@@ -18,6 +18,7 @@
 #include "embound/bounding.hpp"
 #include "embound/combine.hpp"
 #include "embound/data.hpp"
+#include "embound/diagnosis.hpp"
 #include "embound/error.hpp"
 #include "embound/function.hpp"
 #include "embound/geometry.hpp"

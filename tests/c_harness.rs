@@ -137,6 +137,11 @@ fn trees_of_every_constructor_have_the_same_bits_however_they_are_asked_for() {
 }
 
 #[test]
+fn diagnoses_of_meshes_have_the_same_bits_however_they_are_asked_for() {
+    same_hashes("diagnosis");
+}
+
+#[test]
 fn results_do_not_depend_on_the_floating_point_environment() {
     harness("environment");
 }
@@ -185,6 +190,13 @@ fn structs_have_one_layout_on_both_sides() {
         hole_length);
     layout!(lines, emb_repair_result: struct_size, vertices_welded, faces_collapsed, degenerate_faces,
         duplicate_faces, vertices_split, faces_turned, components_turned, holes_filled, holes_left, faces_added);
+    layout!(lines, emb_diagnosis_options: struct_size, sliver_ratio, off_plane_ratio, intersection_limit);
+    layout!(lines, emb_diagnosis_summary: struct_size, nonmanifold_vertices, shrunk_faces, flat_faces, slivers,
+        off_plane_faces, components, boundary_loops, open_chains, listed_intersections, turned_faces, unbalanced_edges,
+        intersections_complete);
+    layout!(lines, emb_mesh_component: struct_size, lowest_face, faces, triangles, boundary_edges, nonmanifold_edges,
+        inconsistent_edges, turned_faces, closed, consistent, inside_out, volume, area, lo, hi);
+    layout!(lines, emb_mesh_loop: struct_size, edges, component, closed, length, diagonal, lo, hi);
     layout!(lines, emb_sdf_options: struct_size, sign, open, axis, accelerator, open_lo, open_hi);
     layout!(lines, emb_callback_options: struct_size, lo, hi, lipschitz, gradient_step, kind, thread_safe, values,
         gradient, range);

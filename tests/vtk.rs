@@ -191,7 +191,7 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         ("ASCII", "EBCDIC", "line 3: \"EBCDIC\" is neither ASCII nor BINARY"),
         ("DATASET", "DATA", "there is no DATASET"),
         ("POINTS 8 float", "POINTS 8 quad", "line 5: \"quad\" is no type of numbers"),
-        ("POINTS 8 float", "POINTS 4000000000 float", "line 5: 4000000000 points are more than"),
+        ("POINTS 8 float", "POINTS 5000000000 float", "line 5: 5000000000 points are more than"),
         ("POINTS 8 float", "POINTS 400000000 float", "cannot hold 1200000000 numbers"),
         ("POINTS 8 float", "POINTS eight float", "line 5: \"eight\" is not a count"),
         ("1 1 0 ", "1 nan 0 ", "the coordinate NaN of point 2 is not finite"),

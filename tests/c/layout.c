@@ -95,6 +95,53 @@ static void repairs(void) {
   MEMBER(emb_repair_result, faces_added);
 }
 
+static void diagnoses(void) {
+  STRUCT(emb_diagnosis_options);
+  MEMBER(emb_diagnosis_options, struct_size);
+  MEMBER(emb_diagnosis_options, sliver_ratio);
+  MEMBER(emb_diagnosis_options, off_plane_ratio);
+  MEMBER(emb_diagnosis_options, intersection_limit);
+  STRUCT(emb_diagnosis_summary);
+  MEMBER(emb_diagnosis_summary, struct_size);
+  MEMBER(emb_diagnosis_summary, nonmanifold_vertices);
+  MEMBER(emb_diagnosis_summary, shrunk_faces);
+  MEMBER(emb_diagnosis_summary, flat_faces);
+  MEMBER(emb_diagnosis_summary, slivers);
+  MEMBER(emb_diagnosis_summary, off_plane_faces);
+  MEMBER(emb_diagnosis_summary, components);
+  MEMBER(emb_diagnosis_summary, boundary_loops);
+  MEMBER(emb_diagnosis_summary, open_chains);
+  MEMBER(emb_diagnosis_summary, listed_intersections);
+  MEMBER(emb_diagnosis_summary, turned_faces);
+  MEMBER(emb_diagnosis_summary, unbalanced_edges);
+  MEMBER(emb_diagnosis_summary, intersections_complete);
+  STRUCT(emb_mesh_component);
+  MEMBER(emb_mesh_component, struct_size);
+  MEMBER(emb_mesh_component, lowest_face);
+  MEMBER(emb_mesh_component, faces);
+  MEMBER(emb_mesh_component, triangles);
+  MEMBER(emb_mesh_component, boundary_edges);
+  MEMBER(emb_mesh_component, nonmanifold_edges);
+  MEMBER(emb_mesh_component, inconsistent_edges);
+  MEMBER(emb_mesh_component, turned_faces);
+  MEMBER(emb_mesh_component, closed);
+  MEMBER(emb_mesh_component, consistent);
+  MEMBER(emb_mesh_component, inside_out);
+  MEMBER(emb_mesh_component, volume);
+  MEMBER(emb_mesh_component, area);
+  MEMBER(emb_mesh_component, lo);
+  MEMBER(emb_mesh_component, hi);
+  STRUCT(emb_mesh_loop);
+  MEMBER(emb_mesh_loop, struct_size);
+  MEMBER(emb_mesh_loop, edges);
+  MEMBER(emb_mesh_loop, component);
+  MEMBER(emb_mesh_loop, closed);
+  MEMBER(emb_mesh_loop, length);
+  MEMBER(emb_mesh_loop, diagonal);
+  MEMBER(emb_mesh_loop, lo);
+  MEMBER(emb_mesh_loop, hi);
+}
+
 static void geometries(void) {
   STRUCT(emb_sdf_options);
   MEMBER(emb_sdf_options, struct_size);
@@ -182,6 +229,7 @@ int main(void) {
   runs_and_lattices();
   meshes();
   repairs();
+  diagnoses();
   geometries();
   outputs();
   return checks_done("layout");

@@ -2,7 +2,6 @@
 //! Boundary loops: simple, complete, in the right order and direction.
 
 use super::*;
-use embound::mesh::Triangle;
 use std::collections::BTreeMap;
 
 /// The boundary edges of a mesh as read, with the ways they run.
