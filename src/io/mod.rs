@@ -3,6 +3,7 @@
 
 mod detect;
 mod file;
+mod number;
 mod obj;
 mod ply;
 mod stl;

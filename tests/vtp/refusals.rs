@@ -43,8 +43,6 @@ fn what_is_not_the_xml_of_vtk_is_refused_with_its_offset() {
         ("<VTKFile type=\"PolyData\"><a></b>", "offset 32: </b> closes another element"),
         ("<VTKFile type=\"PolyData\">< a>", "offset 25: a tag has no name"),
         ("<VTKFile type=PolyData>", "<VTKFile>: \"type=PolyData\" is not an attribute"),
-        ("<VTKFile type=\"&x;\">", "<VTKFile>: \"&x;\" is not a reference"),
-        ("<VTKFile type=\"&#xd800;\">", "<VTKFile>: \"&#xd800;\" is not a reference"),
     ] {
         let message = refused(text.as_bytes());
         assert!(message.contains(wanted), "{text}: {message}");

@@ -2,7 +2,7 @@
 //! A legacy VTK file word by word, and its arrays of numbers, as text or as big-endian bytes.
 
 use crate::error::{Error, Result, try_with_capacity};
-use crate::io::vtp::number::Number;
+use crate::io::number::Number;
 use crate::io::words::Words;
 
 pub(super) struct Cursor<'a> {

@@ -3,7 +3,7 @@
 
 use super::cursor::{Cursor, type_of};
 use crate::error::{Error, Result, try_with_capacity};
-use crate::io::vtp::number::Number;
+use crate::io::number::Number;
 use crate::mesh::{Field, FieldType};
 
 /// Field data of a file that name its tags: `tag_name:NAME`, of which the one number is the tag.

@@ -4,8 +4,8 @@
 use super::cursor::{Cursor, type_of};
 use super::data::Data;
 use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::io::number::Number;
 use crate::io::vtp::cells::Cells;
-use crate::io::vtp::number::Number;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Input, LARGEST_COORDINATE};
 

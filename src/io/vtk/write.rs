@@ -4,7 +4,7 @@
 use super::cursor::escaped;
 use super::data::TAG_NAME;
 use crate::error::{Error, Result};
-use crate::io::vtp::number::Number;
+use crate::io::number::Number;
 use crate::io::vtp::read::{TAG, is_tags};
 use crate::mesh::{Field, Mesh};
 

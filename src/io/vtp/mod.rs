@@ -8,7 +8,6 @@ mod blocks;
 pub(super) mod cells;
 mod document;
 mod fields;
-pub(super) mod number;
 pub(super) mod read;
 mod write;
 mod xml;
