@@ -18,12 +18,12 @@
 // leaves the contents of output arrays unspecified, and nothing else. Any function may also return
 // EMB_ERROR_INTERNAL, which is a defect in embound. Nothing aborts, prints or throws.
 //
-// Ownership. emb_mesh, emb_geom and emb_pool are counted references to immutable things: a constructor's out_*
-// argument receives one, emb_x_clone makes one more in O(1), and each is given up by its own emb_x_free, in any order;
-// what is built from a thing keeps it alive. NULL may be freed. Arrays and structs that a caller passes are read
-// during the call and not kept. Pointers must be aligned as their type asks; outputs must not overlap inputs or one
-// another. A handle must be live, a text must end with a zero byte, and arrays must be as long as stated: that cannot
-// be checked.
+// Ownership. emb_mesh, emb_diagnosis, emb_geom and emb_pool are counted references to immutable things: a
+// constructor's out_* argument receives one, emb_x_clone makes one more in O(1), and each is given up by its own
+// emb_x_free, in any order; what is built from a thing keeps it alive. NULL may be freed. Arrays and structs that a
+// caller passes are read during the call and not kept. Pointers must be aligned as their type asks; outputs must not
+// overlap inputs or one another. A handle must be live, a text must end with a zero byte, and arrays must be as long as
+// stated: that cannot be checked.
 //
 // Threads. const emb_x * means: may be used by any number of threads at once. No function starts threads except
 // emb_pool_new. Long calls take a const emb_run *: pool, progress, cancellation; NULL is the calling thread, silently.
@@ -110,6 +110,10 @@
 // Every face is turned over, and nothing else done.
 #define EMB_ORIENT_FLIP 2
 
+// As EMB_ORIENT_AUTO, but every closed shell alternates with those around it, whatever it was as given: outermost
+// shells face outward, those within them inward, and so on.
+#define EMB_ORIENT_ALTERNATE 3
+
 // The format is found from the content.
 #define EMB_FORMAT_DETECT 0
 
@@ -154,6 +158,43 @@
 
 // Every face's tag is the number of its mesh or file.
 #define EMB_JOIN_BY_MESH 2
+
+// Vertices nearer than a tolerance become one.
+#define EMB_REPAIR_WELD 1
+
+// Faces of zero area leave; the faces next to them take over their corners, so that no crack opens.
+#define EMB_REPAIR_DEGENERATE 2
+
+// Faces that repeat an earlier one leave, but for the wall between two bodies in contact.
+#define EMB_REPAIR_DUPLICATES 4
+
+// Components become consistent, closed shells outward and inward in turn.
+#define EMB_REPAIR_ORIENT 8
+
+// Small holes are filled.
+#define EMB_REPAIR_HOLES 16
+
+// Fans of faces that meet in one vertex get one each: bodies that share a vertex or an edge come apart.
+#define EMB_REPAIR_SPLIT 32
+
+// All of these.
+#define EMB_REPAIR_ALL 63
+
+// Triangles that fill a hole get the tag of most faces round it.
+#define EMB_FILL_TAG_AROUND 0
+
+// Triangles that fill a hole get the tag given.
+#define EMB_FILL_TAG_GIVEN 1
+
+// Inside where a ray crosses the boundary an odd number of times. Exact; polygons side by side share no point and miss
+// none.
+#define EMB_POLYGON_CROSSING 0
+
+// Inside where the boundary winds around the point, whichever way: also where a polygon covers itself twice. Exact.
+#define EMB_POLYGON_WINDING 1
+
+// Inside where the angles that the sides subtend sum to more than half a turn; either on the boundary.
+#define EMB_POLYGON_ANGLE 2
 
 // One mesh a tag, by rising tag.
 #define EMB_SPLIT_TAG 0
@@ -246,6 +287,15 @@
 // emb_geom_bounding_box: no part of the body lies in the start box; the result is infinite.
 #define EMB_BOUNDING_NOTHING 2
 
+// What is the matter with a mesh as read, fault by fault. Immutable; it does not need the mesh any more.
+//
+// Faces are input faces, by their numbers; vertices are numbered as emb_mesh_vertices gives them. Every list is
+// ascending in its first number. Lists are had by two calls: with `capacity` 0 a getter writes the number of items to
+// *out_count alone, else the list too, each array with room for `capacity` items (pairs: 2 * capacity numbers);
+// where there are several arrays, each may be NULL. Their errors: EMB_ERROR_NULL_ARGUMENT,
+// EMB_ERROR_INVALID_ARGUMENT (a capacity below the count). Their cost: a copy. Any thread.
+typedef struct emb_diagnosis emb_diagnosis;
+
 // An implicit function: negative inside the body, positive outside, zero on the surface and counted as
 // inside. Immutable. A composite keeps its parts alive, so handles may be freed in any order.
 typedef struct emb_geom emb_geom;
@@ -283,7 +333,7 @@ typedef struct emb_mesh_options {
   // Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
   // equal positions; -1: none.
   double weld_tolerance;
-  // EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP or EMB_ORIENT_FLIP.
+  // EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE.
   int32_t orient;
   // EMB_FORMAT_DETECT, the default, or the format the bytes must be in; used when reading.
   int32_t format;
@@ -336,7 +386,7 @@ typedef struct emb_mesh_report {
   uint64_t degenerate_faces;
   // Faces that repeat an earlier one.
   uint64_t duplicate_faces;
-  // Pairs of faces that intersect; UINT64_MAX: not looked for.
+  // Pairs of faces that intersect; UINT64_MAX: not looked for. emb_mesh_diagnose looks for them.
   uint64_t self_intersections;
   // Signed volume, cubed units of the coordinates; it means something where the mesh is closed.
   double volume;
@@ -346,6 +396,8 @@ typedef struct emb_mesh_report {
   double lo[3];
   // Bounds, upper corner.
   double hi[3];
+  // Faces of more than three corners that are not plane or cross themselves; they are cut into triangles, too.
+  uint64_t warped_faces;
 } emb_mesh_report;
 
 // What there is to measure of one face, edge or vertex of a mesh as it stands.
@@ -371,6 +423,152 @@ typedef struct emb_mesh_field {
   // v, and behind them those of other corners of vertices whose data differ between faces (seams).
   size_t count;
 } emb_mesh_field;
+
+// What to repair; fill it with emb_repair_options_init.
+typedef struct emb_repair_options {
+  // sizeof(emb_repair_options)
+  size_t struct_size;
+  // EMB_REPAIR_* flags, EMB_REPAIR_ALL by default.
+  int32_t flags;
+  // EMB_FILL_TAG_AROUND, the default, or EMB_FILL_TAG_GIVEN.
+  int32_t fill_tag_rule;
+  // The tag of triangles that fill holes, under EMB_FILL_TAG_GIVEN.
+  int32_t fill_tag;
+  // EMB_REPAIR_WELD: vertices nearer than this times the diagonal become one; 0, the default: those with equal
+  // positions; otherwise between 1e-12 and 0.5.
+  double weld_tolerance;
+  // EMB_REPAIR_HOLES: holes with more edges stay; 1,000 by default. Filling one takes the cube of their number.
+  size_t hole_edges;
+  // EMB_REPAIR_HOLES: holes whose rim is longer than this times the diagonal of the mesh stay; 1 by default.
+  double hole_length;
+} emb_repair_options;
+
+// What a repair did.
+typedef struct emb_repair_result {
+  // sizeof(emb_repair_result), set by the caller
+  size_t struct_size;
+  // Vertices that are gone after welding.
+  uint64_t vertices_welded;
+  // Faces that welding left fewer than three corners.
+  uint64_t faces_collapsed;
+  // Faces of zero area that left.
+  uint64_t degenerate_faces;
+  // Faces that repeated an earlier one and left.
+  uint64_t duplicate_faces;
+  // Vertices added for fans of faces that met in one.
+  uint64_t vertices_split;
+  // Faces turned over.
+  uint64_t faces_turned;
+  // Components turned over as a whole.
+  uint64_t components_turned;
+  // Holes filled.
+  uint64_t holes_filled;
+  // Holes left: too large, or not to be filled without edges of more than two faces.
+  uint64_t holes_left;
+  // Triangles that fill holes.
+  uint64_t faces_added;
+} emb_repair_result;
+
+// What a diagnosis looks for; fill it with emb_diagnosis_options_init.
+typedef struct emb_diagnosis_options {
+  // sizeof(emb_diagnosis_options)
+  size_t struct_size;
+  // A triangle is a sliver where its smallest height is below this times its longest edge; a polygon where twice
+  // its area is below this times its squared length. From 0, which finds none, to 1; 0.001 by default.
+  double sliver_ratio;
+  // A polygon is off a plane where half the room between two planes around its corners is above this times the
+  // diagonal of its box. From 0 to 1; 0, the default: not looked for.
+  double off_plane_ratio;
+  // Most pairs of faces that intersect to list: where there are more the search ends, and their number is one that
+  // there are at least. 0: not looked for; 1000000 by default (16 MB when copied).
+  uint64_t intersection_limit;
+} emb_diagnosis_options;
+
+// The counts of a diagnosis beyond those of emb_mesh_report.
+typedef struct emb_diagnosis_summary {
+  // sizeof(emb_diagnosis_summary), set by the caller
+  size_t struct_size;
+  // Vertices at which the faces do not form one fan or one disc.
+  uint64_t nonmanifold_vertices;
+  // Faces that welding took corners from. With flat_faces they are emb_mesh_report.degenerate_faces.
+  uint64_t shrunk_faces;
+  // Faces of exactly zero area.
+  uint64_t flat_faces;
+  // Faces of hardly any area.
+  uint64_t slivers;
+  // Faces whose corners are off a plane.
+  uint64_t off_plane_faces;
+  // Sets of faces connected over edges.
+  uint64_t components;
+  // Chains of boundary edges.
+  uint64_t boundary_loops;
+  // Those that do not close: they end where an odd number of faces meets in an edge.
+  uint64_t open_chains;
+  // Pairs of faces that intersect and are listed.
+  uint64_t listed_intersections;
+  // Faces that orientation has turned over since.
+  uint64_t turned_faces;
+  // Edges of the surface as it stands that do not have as many faces one way as the other: where there is any it has
+  // no inside.
+  uint64_t unbalanced_edges;
+  // 1: the search for intersections went to its end, so that emb_mesh_report.self_intersections is exact; 0: there
+  // are at least as many, or they were not looked for.
+  int32_t intersections_complete;
+} emb_diagnosis_summary;
+
+// A set of faces connected over edges, as read.
+typedef struct emb_mesh_component {
+  // sizeof(emb_mesh_component), set by the caller
+  size_t struct_size;
+  // Its lowest face.
+  int64_t lowest_face;
+  // Its faces, copies included.
+  uint64_t faces;
+  // The triangles they are cut into.
+  uint64_t triangles;
+  // Edges of one face.
+  uint64_t boundary_edges;
+  // Edges of more than two faces.
+  uint64_t nonmanifold_edges;
+  // Edges that two faces run along the same way.
+  uint64_t inconsistent_edges;
+  // Faces that orientation has turned over since.
+  uint64_t turned_faces;
+  // 1: no boundary edges.
+  int32_t closed;
+  // 1: no inconsistent edges.
+  int32_t consistent;
+  // 1: every edge has as many faces one way as the other, and the volume is negative.
+  int32_t inside_out;
+  // Signed volume, cubed units of the coordinates; it means something where the component is closed.
+  double volume;
+  // Area, squared units of the coordinates.
+  double area;
+  // Bounds, lower corner.
+  double lo[3];
+  // Bounds, upper corner.
+  double hi[3];
+} emb_mesh_component;
+
+// A chain of boundary edges that passes no vertex twice.
+typedef struct emb_mesh_loop {
+  // sizeof(emb_mesh_loop), set by the caller
+  size_t struct_size;
+  // Its edges: as many as vertices; one fewer where it does not close.
+  uint64_t edges;
+  // The component that its faces belong to.
+  uint32_t component;
+  // 1: it comes back to where it begins.
+  int32_t closed;
+  // Sum of the lengths of its edges.
+  double length;
+  // Diagonal of the box around it.
+  double diagonal;
+  // That box, lower corner.
+  double lo[3];
+  // Upper corner.
+  double hi[3];
+} emb_mesh_loop;
 
 // How a mesh becomes a geometry; fill it with emb_sdf_options_init.
 typedef struct emb_sdf_options {
@@ -715,7 +913,7 @@ emb_status emb_mesh_from_triangles_f32(size_t vertex_count,
                                        const emb_mesh_options *options,
                                        emb_mesh **out_mesh);
 
-// A mesh from planar polygons: face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
+// A mesh from polygons, plane or not quite (emb_mesh_report.warped_faces counts those): face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
 // least three. `offsets` holds face_count + 1 numbers that begin with 0 and do not fall. The rest as in
 // emb_mesh_from_triangles; the same errors.
 emb_status emb_mesh_from_polygons(size_t vertex_count,
@@ -847,7 +1045,7 @@ emb_status emb_mesh_face_tags(const emb_mesh *mesh, size_t first, size_t count, 
 
 // The different tags of the faces as they stand, ascending: *out_count of them; with `capacity` 0 that is all, else
 // out_tags takes them. Cost: O(n log n). Any thread.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the count).
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the count), EMB_ERROR_MEMORY.
 emb_status emb_mesh_tags(const emb_mesh *mesh, size_t capacity, int32_t *out_tags, size_t *out_count);
 
 // The name of a tag: of the file's solid, group or material, or of the file; "" where it has none. *out_size is its
@@ -953,8 +1151,8 @@ emb_status emb_mesh_transform(const emb_mesh *mesh,
                               emb_mesh **out_mesh);
 
 // The mesh in parts: EMB_SPLIT_TAG, one a tag by rising tag, or EMB_SPLIT_COMPONENT, one for what edges connect by the
-// lowest face of each. Parts keep vertices, orientation, tags, names and data; their faces are numbered anew from 0,
-// in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
+// lowest face of each. Parts keep vertices, orientation, tags with their names, and data; their vertices and faces are
+// numbered anew from 0, in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
 // handles, each to be freed with emb_mesh_free. Cost: near linear.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (by; a capacity below the count), EMB_ERROR_MEMORY.
 emb_status emb_mesh_split(const emb_mesh *mesh,
@@ -962,6 +1160,178 @@ emb_status emb_mesh_split(const emb_mesh *mesh,
                           size_t capacity,
                           emb_mesh **out_meshes,
                           size_t *out_count);
+
+// Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
+emb_status emb_repair_options_init(emb_repair_options *options, size_t size);
+
+// Makes a repaired mesh; `mesh` stays as it is. The steps asked for (options NULL: all) are taken in this order: WELD,
+// DEGENERATE, DUPLICATES, SPLIT, ORIENT, HOLES (then ORIENT again, as what was open had no outside); what is not asked
+// for is not done. Faces keep their numbers, tags and data, so emb_geom_closest still names faces of the input;
+// triangles that fill holes (least area over the rim: Barequet & Sharir 1995, Liepa 2003) take numbers from
+// emb_mesh_face_count(mesh) on, data of vertices from the rim, and NaN as data of faces. *result, whose struct_size the
+// caller has set, tells what was done; it may be NULL. On success *out_mesh is the caller's, to be freed with
+// emb_mesh_free. The calling thread tells `run` 0 before and 1 after. Cost: near linear, and the cube of the edges of
+// each hole filled. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options, struct sizes), EMB_ERROR_MEMORY,
+// EMB_ERROR_CANCELLED.
+emb_status emb_mesh_repair(const emb_mesh *mesh,
+                           const emb_repair_options *options,
+                           const emb_run *run,
+                           emb_repair_result *result,
+                           emb_mesh **out_mesh);
+
+// Whether a point of the plane lies in a polygon of `count` corners, x y each, whichever way they run: 1 or 0 to
+// *out_inside. `method` is EMB_POLYGON_CROSSING, _WINDING or _ANGLE. Fewer than three corners hold nothing. Cost: linear.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (method; a coordinate that is not finite). Any thread.
+emb_status emb_polygon_contains(size_t count,
+                                const double *xy,
+                                const double point[2],
+                                int32_t method,
+                                int32_t *out_inside);
+
+// The same for an input face of a mesh as it stands and a point in space, both seen along the largest component of the
+// face's area vector. Errors: those of emb_polygon_contains, and EMB_ERROR_INVALID_ARGUMENT where the face is gone.
+emb_status emb_mesh_face_contains(const emb_mesh *mesh,
+                                  uint64_t face,
+                                  const double point[3],
+                                  int32_t method,
+                                  int32_t *out_inside);
+
+// Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
+emb_status emb_diagnosis_options_init(emb_diagnosis_options *options, size_t size);
+
+// Tells of a mesh as read, after welding, before orientation and repair: all that emb_mesh_report counts, one by one,
+// and the pairs of faces that intersect. Two faces intersect where they meet in more than the vertices and edges that
+// they share, touching included, decided by exact predicates (Shewchuk 1997); copies of one face do not count against
+// each other, nor do faces of zero area. `options` may be NULL. The same bits with any pool.
+// On success *out_diagnosis is the caller's, to be freed with emb_diagnosis_free.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED.
+// Cost: near linear in the faces and the pairs found; about 2 s a million triangles on one thread.
+emb_status emb_mesh_diagnose(const emb_mesh *mesh,
+                             const emb_diagnosis_options *options,
+                             const emb_run *run,
+                             emb_diagnosis **out_diagnosis);
+
+// One more reference to the same diagnosis, to be freed like the first; NULL for NULL. O(1). Any thread.
+emb_diagnosis *emb_diagnosis_clone(const emb_diagnosis *diagnosis);
+
+// Gives up a reference. NULL is fine.
+void emb_diagnosis_free(emb_diagnosis *diagnosis);
+
+// The report of the mesh, as emb_mesh_report_get writes it, with self_intersections filled where they were looked for.
+// The caller sets struct_size. O(1). Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (struct_size).
+emb_status emb_diagnosis_report(const emb_diagnosis *diagnosis, emb_mesh_report *report);
+
+// The counts beyond the report. The caller sets struct_size. O(1). Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (struct_size).
+emb_status emb_diagnosis_summary_get(const emb_diagnosis *diagnosis, emb_diagnosis_summary *summary);
+
+// The diagnosis as English text for a reader: a fact a line, what is wrong with how many and where the first few are,
+// the first twenty components and boundary loops, and at the end what to do. *out_size is its size, the zero byte at
+// the end counted; with `capacity` 0 that is all, else out_text takes it. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the size).
+emb_status emb_diagnosis_text(const emb_diagnosis *diagnosis, size_t capacity, char *out_text, size_t *out_size);
+
+// Edges of more than two faces: two vertices each, the lower first, and the number of faces at each.
+emb_status emb_diagnosis_nonmanifold_edges(const emb_diagnosis *diagnosis,
+                                           size_t capacity,
+                                           uint32_t *out_vertices,
+                                           uint64_t *out_face_counts,
+                                           size_t *out_count);
+
+// The faces at the edge `index` of emb_diagnosis_nonmanifold_edges, ascending.
+// Errors besides: EMB_ERROR_INVALID_ARGUMENT (index).
+emb_status emb_diagnosis_nonmanifold_edge_faces(const emb_diagnosis *diagnosis,
+                                                size_t index,
+                                                size_t capacity,
+                                                int64_t *out_faces,
+                                                size_t *out_count);
+
+// Edges that two faces run along the same way: two vertices and two faces each, the lower first.
+emb_status emb_diagnosis_inconsistent_edges(const emb_diagnosis *diagnosis,
+                                            size_t capacity,
+                                            uint32_t *out_vertices,
+                                            int64_t *out_faces,
+                                            size_t *out_count);
+
+// Vertices at which the faces do not form one fan or one disc, and into how many fans and discs they fall: an edge
+// of more than two faces parts them.
+emb_status emb_diagnosis_nonmanifold_vertices(const emb_diagnosis *diagnosis,
+                                              size_t capacity,
+                                              uint32_t *out_vertices,
+                                              uint32_t *out_fans,
+                                              size_t *out_count);
+
+// Faces that welding took corners from; those left with fewer than three are gone.
+emb_status emb_diagnosis_shrunk_faces(const emb_diagnosis *diagnosis,
+                                      size_t capacity,
+                                      int64_t *out_faces,
+                                      size_t *out_count);
+
+// Faces of three or more corners and exactly zero area.
+emb_status emb_diagnosis_flat_faces(const emb_diagnosis *diagnosis,
+                                    size_t capacity,
+                                    int64_t *out_faces,
+                                    size_t *out_count);
+
+// Faces that repeat an earlier one, whichever way they run: each with the earliest that it repeats, and with 1 where
+// both run the same way, else 0.
+emb_status emb_diagnosis_duplicates(const emb_diagnosis *diagnosis,
+                                    size_t capacity,
+                                    int64_t *out_faces,
+                                    int64_t *out_originals,
+                                    int32_t *out_same_way,
+                                    size_t *out_count);
+
+// Slivers, and for each its smallest height over its longest edge (emb_diagnosis_options.sliver_ratio).
+emb_status emb_diagnosis_slivers(const emb_diagnosis *diagnosis,
+                                 size_t capacity,
+                                 int64_t *out_faces,
+                                 double *out_ratios,
+                                 size_t *out_count);
+
+// Faces whose corners are off a plane, and by how much, over the diagonal of the box around the face
+// (emb_diagnosis_options.off_plane_ratio).
+emb_status emb_diagnosis_off_plane_faces(const emb_diagnosis *diagnosis,
+                                         size_t capacity,
+                                         int64_t *out_faces,
+                                         double *out_ratios,
+                                         size_t *out_count);
+
+// Pairs of faces that intersect, the lower of each first: as many as were listed, none where they were not looked for
+// (emb_diagnosis_options.intersection_limit).
+emb_status emb_diagnosis_intersections(const emb_diagnosis *diagnosis,
+                                       size_t capacity,
+                                       int64_t *out_faces,
+                                       size_t *out_count);
+
+// The component `index`, which is below emb_diagnosis_summary.components; by lowest face. The caller sets struct_size.
+// O(1). Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (index, struct_size).
+emb_status emb_diagnosis_component(const emb_diagnosis *diagnosis,
+                                   size_t index,
+                                   emb_mesh_component *component);
+
+// The component of each input face; EMB_NO_INDEX for those that welding left fewer than three corners.
+emb_status emb_diagnosis_face_components(const emb_diagnosis *diagnosis,
+                                         size_t capacity,
+                                         uint32_t *out_components,
+                                         size_t *out_count);
+
+// The boundary loop `index`, which is below emb_diagnosis_summary.boundary_loops; by lowest vertex. The caller sets
+// struct_size. O(1). Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (index, struct_size).
+emb_status emb_diagnosis_loop(const emb_diagnosis *diagnosis, size_t index, emb_mesh_loop *boundary);
+
+// The vertices of the boundary loop `index`, in order, each once, from the lowest on (of a chain that does not close,
+// from the lower of its ends). It runs the way the faces at it ran when read, where these agree: seen from outside,
+// clockwise round a hole. Errors besides: EMB_ERROR_INVALID_ARGUMENT (index).
+emb_status emb_diagnosis_loop_vertices(const emb_diagnosis *diagnosis,
+                                       size_t index,
+                                       size_t capacity,
+                                       uint32_t *out_vertices,
+                                       size_t *out_count);
 
 // Fills options with defaults. `size` is sizeof *options, as the caller knows it; nothing is written beyond.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).

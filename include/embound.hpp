@@ -22,6 +22,7 @@
 #include "embound/function.hpp"
 #include "embound/geometry.hpp"
 #include "embound/mesh.hpp"
+#include "embound/repair.hpp"
 #include "embound/run.hpp"
 #include "embound/shapes.hpp"
 #include "embound/topology.hpp"

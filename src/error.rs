@@ -101,6 +101,13 @@ pub fn try_with_capacity<T>(what: &str, count: usize) -> Result<Vec<T>> {
     Ok(v)
 }
 
+/// A copy, or [`Status::Memory`].
+pub(crate) fn try_copy<T: Copy>(what: &str, values: &[T]) -> Result<Vec<T>> {
+    let mut copy = try_with_capacity(what, values.len())?;
+    copy.extend_from_slice(values);
+    Ok(copy)
+}
+
 thread_local!(static GUARDED: Cell<usize> = const { Cell::new(0) });
 
 /// Runs `work`; a panic in it, which is a defect in embound, becomes [`Status::Internal`] and prints

@@ -18,7 +18,7 @@ pub mod parallel;
 pub mod query;
 
 mod bvh;
-mod primitive;
+pub mod primitive;
 mod simd;
 
 pub use error::{Error, Result, Status};

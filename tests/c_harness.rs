@@ -98,6 +98,11 @@ fn misuse_of_constructors_is_answered_with_a_status_and_a_message() {
     harness("misuse_shapes");
 }
 
+#[test]
+fn misuse_of_meshes_is_answered_with_a_status_and_a_message() {
+    harness("misuse_meshes");
+}
+
 /// [`harness`] of a program that prints a hash of its results, which must be the same each time.
 fn same_hashes(name: &str) {
     let outputs = harness(name);
@@ -109,6 +114,21 @@ fn same_hashes(name: &str) {
 #[test]
 fn values_have_the_same_bits_however_they_are_asked_for() {
     same_hashes("values");
+}
+
+#[test]
+fn meshes_tell_their_topology_and_measures() {
+    same_hashes("meshes");
+}
+
+#[test]
+fn data_of_meshes_have_the_same_bits_at_closest_points() {
+    same_hashes("mesh_data");
+}
+
+#[test]
+fn meshes_are_put_together_and_taken_apart() {
+    harness("mesh_parts");
 }
 
 #[test]
@@ -158,7 +178,13 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_mesh_options: struct_size, scale, rotation, shift, weld_tolerance, orient, format, index_base);
     layout!(lines, emb_mesh_report: struct_size, closed, consistent, inside_out, components, vertices, faces,
         triangles, boundary_edges, nonmanifold_edges, inconsistent_edges, degenerate_faces, duplicate_faces,
-        self_intersections, volume, area, lo, hi);
+        self_intersections, volume, area, lo, hi, warped_faces);
+    layout!(lines, emb_mesh_measure: struct_size, normal, centroid, size);
+    layout!(lines, emb_mesh_field: struct_size, components, count);
+    layout!(lines, emb_repair_options: struct_size, flags, fill_tag_rule, fill_tag, weld_tolerance, hole_edges,
+        hole_length);
+    layout!(lines, emb_repair_result: struct_size, vertices_welded, faces_collapsed, degenerate_faces,
+        duplicate_faces, vertices_split, faces_turned, components_turned, holes_filled, holes_left, faces_added);
     layout!(lines, emb_sdf_options: struct_size, sign, open, axis, accelerator, open_lo, open_hi);
     layout!(lines, emb_callback_options: struct_size, lo, hi, lipschitz, gradient_step, kind, thread_safe, values,
         gradient, range);
@@ -166,7 +192,7 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_blend: struct_size, kind, thread_safe, width, blend, user, drop, support, depth, lipschitz);
     layout!(lines, emb_geom_properties: struct_size, kind, sign_method, lipschitz, primitives, bytes);
     layout!(lines, emb_closest_out: struct_size, value, point, gradient, barycentric, vector_stride, primitive,
-        part, tag, feature);
+        part, tag, feature, piece);
     layout!(lines, emb_hit_out: struct_size, t, count, status, normal, vector_stride, primitive, part, tag);
     layout!(lines, emb_crossings_out: struct_size, form, elsewhere, none, r#where, count, tag, part);
     let header = fs::read_to_string(root().join("include/embound.h")).expect("the header");

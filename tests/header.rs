@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 24] = [
     "constants",
     "error",
     "callback",
@@ -25,6 +25,10 @@ const SOURCES: [&str; 20] = [
     "topology",
     "data",
     "assembly",
+    "repair",
+    "polygon",
+    "diagnosis_structs",
+    "diagnosis",
     "geometry",
     "shapes",
     "sampled",

@@ -6,8 +6,10 @@
 mod build;
 mod nearest;
 mod overlap;
+mod pairs;
 
 pub(crate) use nearest::{GROUP, LeafDistance, nearest, nearest_for_group};
+pub(crate) use pairs::{ALONE, Pairs};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};
 use crate::simd::lanes::WIDTH;

@@ -37,26 +37,27 @@ pub(super) unsafe fn slice<'a, T>(name: &str, data: *const T, count: usize) -> R
     Ok(unsafe { slice::from_raw_parts(data, count) })
 }
 
+/// How many elements `count` of them reach over, `stride` apart, where so many can exist.
+pub(super) fn strided<T>(count: usize, stride: usize) -> Result<usize> {
+    if stride == 0 {
+        return Err(Error::invalid("stride: 0 is not at least 1"));
+    }
+    let Some(last) = count.checked_sub(1) else { return Ok(0) };
+    last.checked_mul(stride).and_then(|n| n.checked_add(1)).filter(|n| exists::<T>(*n)).ok_or_else(|| {
+        Error::invalid(format!("count, stride: {count} points {stride} apart are more than memory can hold"))
+    })
+}
+
 /// `count` points in three arrays with one stride.
 ///
 /// # Safety
-/// As [`slice`], for `(count - 1) * stride + 1` elements of each.
+/// As [`slice`], for [`strided`] elements of each.
 pub(super) unsafe fn points<'a, T: Copy + Into<f64> + Sync>(
     count: usize,
     [x, y, z]: [*const T; 3],
     stride: usize,
 ) -> Result<Strided<'a, T>> {
-    if stride == 0 {
-        return Err(Error::invalid("stride: 0 is not at least 1"));
-    }
-    let needed = match count.checked_sub(1) {
-        None => 0,
-        Some(last) => {
-            last.checked_mul(stride).and_then(|n| n.checked_add(1)).filter(|n| exists::<T>(*n)).ok_or_else(|| {
-                Error::invalid(format!("count, stride: {count} points {stride} apart are more than memory can hold"))
-            })?
-        }
-    };
+    let needed = strided::<T>(count, stride)?;
     // SAFETY: the caller's promise.
     let axes = unsafe { [slice("x", x, needed)?, slice("y", y, needed)?, slice("z", z, needed)?] };
     Strided::new(count, axes, stride)

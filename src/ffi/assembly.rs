@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Meshes taken apart and put together.
 
-use super::arrays::{path, slice};
+use super::arrays::{elements, path, slice};
 use super::constants::{EMB_JOIN_BY_MESH, EMB_JOIN_KEEP, EMB_JOIN_RENUMBER, EMB_SPLIT_COMPONENT, EMB_SPLIT_TAG};
 use super::error::{emb_status, guard};
 use super::handle::{give, lend, writable};
@@ -11,6 +11,7 @@ use crate::error::{Error, Result, try_with_capacity};
 use crate::io;
 use crate::mesh::{JoinTags, Mesh, SplitBy};
 use std::ffi::c_char;
+use std::path::Path;
 
 fn join_tags(tags: i32) -> Result<JoinTags> {
     match tags {
@@ -36,6 +37,7 @@ pub unsafe extern "C" fn emb_mesh_read_files(
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
     guard(|| unsafe {
+        let count = elements::<&Path>("count", count, 1)?;
         let mut files = try_with_capacity("paths", count)?;
         for (k, p) in slice("paths", paths, count)?.iter().enumerate() {
             files.push(path(&format!("paths[{k}]"), *p)?);
@@ -68,6 +70,7 @@ pub unsafe extern "C" fn emb_mesh_join(
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
     guard(|| unsafe {
+        let count = elements::<*const emb_mesh>("count", count, 1)?;
         let mut parts = try_with_capacity("meshes", count)?;
         for (k, mesh) in slice("meshes", meshes, count)?.iter().enumerate() {
             parts.push(lend(&format!("meshes[{k}]"), *mesh)?);
@@ -100,8 +103,8 @@ pub unsafe extern "C" fn emb_mesh_transform(
 }
 
 /// The mesh in parts: EMB_SPLIT_TAG, one a tag by rising tag, or EMB_SPLIT_COMPONENT, one for what edges connect by the
-/// lowest face of each. Parts keep vertices, orientation, tags, names and data; their faces are numbered anew from 0,
-/// in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
+/// lowest face of each. Parts keep vertices, orientation, tags with their names, and data; their vertices and faces are
+/// numbered anew from 0, in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
 /// handles, each to be freed with emb_mesh_free. Cost: near linear.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (by; a capacity below the count), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]

@@ -46,6 +46,9 @@ pub const EMB_ORIENT_AUTO: i32 = 0;
 pub const EMB_ORIENT_KEEP: i32 = 1;
 /// Every face is turned over, and nothing else done.
 pub const EMB_ORIENT_FLIP: i32 = 2;
+/// As EMB_ORIENT_AUTO, but every closed shell alternates with those around it, whatever it was as given: outermost
+/// shells face outward, those within them inward, and so on.
+pub const EMB_ORIENT_ALTERNATE: i32 = 3;
 
 /// The format is found from the content.
 pub const EMB_FORMAT_DETECT: i32 = 0;
@@ -81,6 +84,34 @@ pub const EMB_JOIN_KEEP: i32 = 0;
 pub const EMB_JOIN_RENUMBER: i32 = 1;
 /// Every face's tag is the number of its mesh or file.
 pub const EMB_JOIN_BY_MESH: i32 = 2;
+
+/// Vertices nearer than a tolerance become one.
+pub const EMB_REPAIR_WELD: i32 = 1;
+/// Faces of zero area leave; the faces next to them take over their corners, so that no crack opens.
+pub const EMB_REPAIR_DEGENERATE: i32 = 2;
+/// Faces that repeat an earlier one leave, but for the wall between two bodies in contact.
+pub const EMB_REPAIR_DUPLICATES: i32 = 4;
+/// Components become consistent, closed shells outward and inward in turn.
+pub const EMB_REPAIR_ORIENT: i32 = 8;
+/// Small holes are filled.
+pub const EMB_REPAIR_HOLES: i32 = 16;
+/// Fans of faces that meet in one vertex get one each: bodies that share a vertex or an edge come apart.
+pub const EMB_REPAIR_SPLIT: i32 = 32;
+/// All of these.
+pub const EMB_REPAIR_ALL: i32 = 63;
+
+/// Triangles that fill a hole get the tag of most faces round it.
+pub const EMB_FILL_TAG_AROUND: i32 = 0;
+/// Triangles that fill a hole get the tag given.
+pub const EMB_FILL_TAG_GIVEN: i32 = 1;
+
+/// Inside where a ray crosses the boundary an odd number of times. Exact; polygons side by side share no point and miss
+/// none.
+pub const EMB_POLYGON_CROSSING: i32 = 0;
+/// Inside where the boundary winds around the point, whichever way: also where a polygon covers itself twice. Exact.
+pub const EMB_POLYGON_WINDING: i32 = 1;
+/// Inside where the angles that the sides subtend sum to more than half a turn; either on the boundary.
+pub const EMB_POLYGON_ANGLE: i32 = 2;
 
 /// One mesh a tag, by rising tag.
 pub const EMB_SPLIT_TAG: i32 = 0;

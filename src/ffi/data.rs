@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Tags and their names, and named data of vertices and faces, also at points of the surface.
 
-use super::arrays::{elements, slice};
+use super::arrays::{elements, slice, strided};
 use super::constants::{EMB_ON_FACES, EMB_ON_VERTICES};
 use super::error::{emb_status, guard};
 use super::handle::{give, lend, null, writable};
@@ -10,10 +10,9 @@ use super::mesh::emb_mesh;
 use super::run::{emb_run, with_run};
 use super::versioned::{self, Versioned};
 use super::writer::Writer;
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, try_copy, try_with_capacity};
 use crate::math::Vec3;
 use crate::mesh::{Field, FieldType, Mesh};
-use std::collections::BTreeSet;
 use std::ffi::{CStr, c_char};
 use std::mem::{offset_of, size_of};
 
@@ -60,7 +59,7 @@ pub unsafe extern "C" fn emb_mesh_face_tags(
 
 /// The different tags of the faces as they stand, ascending: *out_count of them; with `capacity` 0 that is all, else
 /// out_tags takes them. Cost: O(n log n). Any thread.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the count).
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity below the count), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_tags(
     mesh: *const emb_mesh,
@@ -70,11 +69,7 @@ pub unsafe extern "C" fn emb_mesh_tags(
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
     guard(|| unsafe {
-        let mesh = lend("mesh", mesh)?;
-        let topology = mesh.half_edges();
-        let faces = 0..topology.face_count() as u32;
-        let tags: BTreeSet<i32> = faces.map(|f| mesh.tag(topology.input_face(f))).collect();
-        let tags: Vec<i32> = tags.into_iter().collect();
+        let tags = lend("mesh", mesh)?.used_tags()?;
         give_list("out_tags", &tags, capacity, out_tags, out_count)
     })
 }
@@ -93,7 +88,7 @@ pub unsafe extern "C" fn emb_mesh_tag_name(
     // SAFETY: pointers as the header asks.
     guard(|| unsafe {
         let mesh = lend("mesh", mesh)?;
-        give_text(mesh.tag_name(tag).unwrap_or(""), capacity, out_name, out_size)
+        give_text("out_name", mesh.tag_name(tag).unwrap_or(""), capacity, out_name, out_size)
     })
 }
 
@@ -114,9 +109,10 @@ pub unsafe extern "C" fn emb_mesh_with_tags(
     guard(|| unsafe {
         let mesh = lend("mesh", mesh)?;
         let tags = slice("tags", tags, mesh.face_count())?;
-        let numbers = slice("named_tags", named_tags, elements::<i32>("name_count", name_count, 1)?)?;
+        let name_count = elements::<(i32, String)>("name_count", name_count, 1)?;
+        let numbers = slice("named_tags", named_tags, name_count)?;
         let mut named = try_with_capacity("names", name_count)?;
-        for (k, text) in slice("names", names, elements::<usize>("name_count", name_count, 1)?)?.iter().enumerate() {
+        for (k, text) in slice("names", names, name_count)?.iter().enumerate() {
             named.push((numbers[k], name(&format!("names[{k}]"), *text)?.to_owned()));
         }
         writable("out_mesh", out_mesh)?;
@@ -155,7 +151,7 @@ pub unsafe extern "C" fn emb_mesh_field_get(
     guard(|| unsafe {
         let known = self::field(lend("mesh", mesh)?, on, k)?;
         let size = if field.is_null() { None } else { Some(versioned::result_size("field", field)?) };
-        give_text(&known.name, capacity, out_name, out_size)?;
+        give_text("out_name", &known.name, capacity, out_name, out_size)?;
         if let Some(size) = size {
             let count = known.values.len() / known.components;
             let result = emb_mesh_field { components: known.components, count, ..emb_mesh_field::DEFAULT };
@@ -205,10 +201,12 @@ pub unsafe extern "C" fn emb_mesh_with_field(
         let on_faces = is_on_faces(on)?;
         let items = if on_faces { mesh.face_count() } else { mesh.vertices().len() };
         let name = self::name("name", name)?.to_owned();
-        let given = slice("values", values, elements::<f64>("components", items, components)?)?;
+        if components == 0 {
+            return Err(Error::invalid("components: 0 is not at least 1"));
+        }
+        let given = slice("values", values, elements::<f64>("components", components, items)?)?;
         writable("out_mesh", out_mesh)?;
-        let mut values = try_with_capacity("values", given.len())?;
-        values.extend_from_slice(given);
+        let values = try_copy("values", given)?;
         give(out_mesh, mesh.with_field(on_faces, Field { name, kind: FieldType::F64, components, values })?);
         Ok(())
     })
@@ -240,16 +238,13 @@ pub unsafe extern "C" fn emb_mesh_interpolate(
         let mesh = lend("mesh", mesh)?;
         let known = field(mesh, on, k)?;
         let on_faces = is_on_faces(on)?;
-        if stride == 0 {
-            return Err(Error::invalid("stride: 0 is not at least 1"));
-        }
+        let reach = strided::<f64>(count, stride)?;
         let primitive = slice("primitive", primitive, elements::<i64>("count", count, 1)?)?;
         let piece = if piece.is_null() { &[] } else { slice("piece", piece, count)? };
         let weights = match (on_faces, count) {
             (false, 1..) => {
-                let needed = elements::<f64>("stride", count - 1, stride)? + 1;
                 let axes = slice("barycentric", barycentric, 3)?;
-                [0, 1, 2].map(|c| slice(&format!("barycentric[{c}]"), axes[c], needed))
+                [0, 1, 2].map(|c| slice(&format!("barycentric[{c}]"), axes[c], reach))
             }
             _ => [Ok(&[][..]), Ok(&[][..]), Ok(&[][..])],
         };

@@ -4,7 +4,7 @@
 
 use super::handle::writable;
 use super::writer::Writer;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, try_with_capacity};
 use std::ffi::c_char;
 use std::ops::Range;
 
@@ -23,6 +23,29 @@ pub(super) fn put_portion<T: Copy>(out: Option<Writer<T>>, values: impl ExactSiz
     }
 }
 
+/// Writes the length of a list to `out_count` after `put`, called where `capacity` is not 0, has written the list:
+/// to several arrays side by side, say, which it checks before it writes to the first.
+///
+/// # Safety
+/// `out_count` may be written where it is not NULL.
+pub(super) unsafe fn give_columns(
+    count: usize,
+    capacity: usize,
+    out_count: *mut usize,
+    put: impl FnOnce() -> Result<()>,
+) -> Result<()> {
+    writable("out_count", out_count)?;
+    if capacity > 0 {
+        if capacity < count {
+            return Err(Error::invalid(format!("capacity: {capacity} is less than {count}")));
+        }
+        put()?;
+    }
+    // SAFETY: checked above.
+    unsafe { out_count.write(count) };
+    Ok(())
+}
+
 /// Writes the length of a list to `out_count`, and the list itself where `capacity` is not 0.
 ///
 /// # Safety
@@ -34,26 +57,30 @@ pub(super) unsafe fn give_list<T: Copy>(
     out: *mut T,
     out_count: *mut usize,
 ) -> Result<()> {
-    writable("out_count", out_count)?;
-    if capacity > 0 {
-        if capacity < values.len() {
-            return Err(Error::invalid(format!("capacity: {capacity} is less than {}", values.len())));
-        }
-        Writer::required(name, out, values.len())?.put([0; 3], values.iter().copied());
+    // SAFETY: the caller's promise.
+    unsafe {
+        give_columns(values.len(), capacity, out_count, || {
+            Writer::required(name, out, values.len())?.put([0; 3], values.iter().copied());
+            Ok(())
+        })
     }
-    // SAFETY: checked above.
-    unsafe { out_count.write(values.len()) };
-    Ok(())
 }
 
 /// The same for a text: the size counts the zero byte at its end.
 ///
 /// # Safety
 /// As [`give_list`].
-pub(super) unsafe fn give_text(text: &str, capacity: usize, out_text: *mut c_char, out_size: *mut usize) -> Result<()> {
-    let mut bytes: Vec<c_char> = text.bytes().map(|b| if b == 0 { b' ' as c_char } else { b as c_char }).collect();
+pub(super) unsafe fn give_text(
+    name: &str,
+    text: &str,
+    capacity: usize,
+    out: *mut c_char,
+    out_size: *mut usize,
+) -> Result<()> {
+    let mut bytes: Vec<c_char> = try_with_capacity("characters", text.len() + 1)?;
+    bytes.extend(text.bytes().map(|b| if b == 0 { b' ' as c_char } else { b as c_char }));
     bytes.push(0);
     writable("out_size", out_size)?;
     // SAFETY: the caller's promise.
-    unsafe { give_list("out_text", &bytes, capacity, out_text, out_size) }
+    unsafe { give_list(name, &bytes, capacity, out, out_size) }
 }

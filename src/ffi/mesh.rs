@@ -3,8 +3,8 @@
 
 use super::arrays::{elements, path, slice};
 use super::constants::{
-    EMB_FORMAT_DETECT, EMB_FORMAT_OBJ, EMB_FORMAT_PLY, EMB_FORMAT_STL, EMB_FORMAT_VTK, EMB_FORMAT_VTP, EMB_ORIENT_AUTO,
-    EMB_ORIENT_FLIP, EMB_ORIENT_KEEP,
+    EMB_FORMAT_DETECT, EMB_FORMAT_OBJ, EMB_FORMAT_PLY, EMB_FORMAT_STL, EMB_FORMAT_VTK, EMB_FORMAT_VTP,
+    EMB_ORIENT_ALTERNATE, EMB_ORIENT_AUTO, EMB_ORIENT_FLIP, EMB_ORIENT_KEEP,
 };
 use super::error::{emb_status, guard, plain};
 use super::handle::{Handle, give, lend, release, share, writable};
@@ -12,7 +12,7 @@ use super::run::{emb_run, with_run};
 use super::versioned::{self, Versioned};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::io::{self, Format};
-use crate::mesh::{Mesh, MeshOptions, Orient};
+use crate::mesh::{Mesh, MeshOptions, Orient, Report};
 use std::ffi::{c_char, c_void};
 use std::mem::{offset_of, size_of};
 
@@ -41,7 +41,7 @@ pub struct emb_mesh_options {
     /// Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
     /// equal positions; -1: none.
     pub weld_tolerance: f64,
-    /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP or EMB_ORIENT_FLIP.
+    /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE.
     pub orient: i32,
     /// EMB_FORMAT_DETECT, the default, or the format the bytes must be in; used when reading.
     pub format: i32,
@@ -94,7 +94,7 @@ pub struct emb_mesh_report {
     pub degenerate_faces: u64,
     /// Faces that repeat an earlier one.
     pub duplicate_faces: u64,
-    /// Pairs of faces that intersect; UINT64_MAX: not looked for.
+    /// Pairs of faces that intersect; UINT64_MAX: not looked for. emb_mesh_diagnose looks for them.
     pub self_intersections: u64,
     /// Signed volume, cubed units of the coordinates; it means something where the mesh is closed.
     pub volume: f64,
@@ -104,6 +104,8 @@ pub struct emb_mesh_report {
     pub lo: [f64; 3],
     /// Bounds, upper corner.
     pub hi: [f64; 3],
+    /// Faces of more than three corners that are not plane or cross themselves; they are cut into triangles, too.
+    pub warped_faces: u64,
 }
 
 // SAFETY: repr(C), size first, numbers.
@@ -128,6 +130,7 @@ unsafe impl Versioned for emb_mesh_report {
         area: 0.0,
         lo: [0.0; 3],
         hi: [0.0; 3],
+        warped_faces: 0,
     };
 }
 
@@ -142,6 +145,7 @@ pub(super) unsafe fn options(given: *const emb_mesh_options) -> Result<(MeshOpti
         EMB_ORIENT_AUTO => Orient::Auto,
         EMB_ORIENT_KEEP => Orient::Keep,
         EMB_ORIENT_FLIP => Orient::Flip,
+        EMB_ORIENT_ALTERNATE => Orient::Alternate,
         other => return Err(Error::invalid(format!("options.orient: {other} is not an EMB_ORIENT_*"))),
     };
     let format = match given.format {
@@ -309,7 +313,7 @@ unsafe fn optional_tags<'a>(tags: *const i32, count: usize) -> Result<Option<&'a
     unsafe { slice("tags", tags, count) }.map(Some)
 }
 
-/// A mesh from planar polygons: face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
+/// A mesh from polygons, plane or not quite (emb_mesh_report.warped_faces counts those): face f has the vertices indices[offsets[f]] to indices[offsets[f+1] - 1], at
 /// least three. `offsets` holds face_count + 1 numbers that begin with 0 and do not fall. The rest as in
 /// emb_mesh_from_triangles; the same errors.
 #[unsafe(no_mangle)]
@@ -369,13 +373,13 @@ pub unsafe extern "C" fn emb_mesh_report_get(mesh: *const emb_mesh, report: *mut
     guard(|| unsafe {
         let mesh = lend("mesh", mesh)?;
         let size = versioned::result_size("report", report)?;
-        versioned::write_result(report, size, describe(mesh));
+        versioned::write_result(report, size, describe(mesh.report()));
         Ok(())
     })
 }
 
-fn describe(mesh: &Mesh) -> emb_mesh_report {
-    let report = mesh.report();
+/// A report without intersections.
+pub(super) fn describe(report: &Report) -> emb_mesh_report {
     emb_mesh_report {
         closed: report.closed.into(),
         consistent: report.consistent.into(),
@@ -393,6 +397,7 @@ fn describe(mesh: &Mesh) -> emb_mesh_report {
         area: report.area,
         lo: report.lo,
         hi: report.hi,
+        warped_faces: report.warped_faces as u64,
         ..emb_mesh_report::DEFAULT
     }
 }

@@ -6,6 +6,7 @@ mod blend;
 mod build;
 mod classify;
 mod closest;
+pub(crate) mod contacts;
 mod fingerprint;
 mod level;
 mod linear;

@@ -6,6 +6,7 @@ mod file;
 mod obj;
 mod ply;
 mod stl;
+mod text;
 mod vtk;
 mod vtp;
 mod words;
@@ -114,6 +115,7 @@ pub fn write(mesh: &Mesh, path: &Path) -> Result<()> {
         Some("ply") => ply::write(mesh),
         Some("obj") => obj::write(mesh),
         Some("vtk") => vtk::write(mesh),
+        Some("vtp") => vtp::write(mesh),
         _ => {
             let what = format!("the extension \"{}\" is of no format that can be written", extension.display());
             return Err(named(path, &Error::unsupported(what)));

@@ -20,6 +20,16 @@ impl<'a> Words<'a> {
         Words { bytes: bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), at: 0, line: 1 }
     }
 
+    /// The words of a piece of text that begins in this line.
+    pub fn from_line(bytes: &'a [u8], line: usize) -> Words<'a> {
+        Words { bytes, at: 0, line }
+    }
+
+    /// Bytes not read yet.
+    pub fn left(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
     /// The line of the last word, from 1.
     pub fn line(&self) -> usize {
         self.line
@@ -38,6 +48,59 @@ impl<'a> Words<'a> {
             self.at += 1;
         }
         &self.bytes[start..self.at]
+    }
+
+    /// The next word of the line; empty at its end. A backslash at the end of a line joins the next one to it.
+    pub fn next_on_line(&mut self) -> &'a [u8] {
+        while let Some(&b) = self.bytes.get(self.at) {
+            if self.joins_lines() {
+                self.join();
+            } else if is_space(b) && b != b'\n' && b != b'\r' {
+                self.at += 1;
+            } else {
+                break;
+            }
+        }
+        let start = self.at;
+        while self.bytes.get(self.at).is_some_and(|&b| !is_space(b)) && !self.joins_lines() {
+            self.at += 1;
+        }
+        &self.bytes[start..self.at]
+    }
+
+    /// Goes to the next line, over what is left of this one and of those that backslashes join to it; false
+    /// at the end.
+    pub fn next_line(&mut self) -> bool {
+        while let Some(&b) = self.bytes.get(self.at) {
+            if self.joins_lines() {
+                self.join();
+            } else if b == b'\n' || b == b'\r' {
+                self.pass(b);
+                // Else the line feed of CRLF would be an empty line.
+                if b == b'\r' && self.bytes.get(self.at) == Some(&b'\n') {
+                    self.pass(b'\n');
+                }
+                return true;
+            } else {
+                self.at += 1;
+            }
+        }
+        false
+    }
+
+    /// At a backslash that ends a line or the file.
+    fn joins_lines(&self) -> bool {
+        self.bytes[self.at] == b'\\' && matches!(self.bytes.get(self.at + 1), None | Some(b'\n' | b'\r'))
+    }
+
+    /// Steps over such a backslash and the end of the line.
+    fn join(&mut self) {
+        self.at += 1;
+        for end in [b'\r', b'\n'] {
+            if self.bytes.get(self.at) == Some(&end) {
+                self.pass(end);
+            }
+        }
     }
 
     /// What is left of the line, without white space around it; not UTF-8 becomes U+FFFD.
@@ -67,6 +130,11 @@ impl<'a> Words<'a> {
     /// A finite coordinate.
     pub fn coordinate(&mut self) -> Result<f64> {
         let word = self.next();
+        self.coordinate_in(word)
+    }
+
+    /// The finite coordinate that a word is.
+    pub fn coordinate_in(&self, word: &[u8]) -> Result<f64> {
         let x = self.parsed::<f64>(word, "a number")?;
         if !x.is_finite() || x.abs() > LARGEST_COORDINATE {
             return Err(self.unexpected(word, "a finite coordinate"));

@@ -2,11 +2,9 @@
 //! Meshes taken apart and put together: by tag, by component, several into one, all with their data.
 
 use super::data::Field;
-use super::faces::{Faces, Sets, filled};
+use super::faces::{Faces, Sets, filled, starts_from_counts};
 use super::{Input, Mesh, MeshOptions, Orient, build};
-use crate::error::{Error, Result, Status, try_with_capacity};
-use crate::math::Vec3;
-use std::collections::BTreeMap;
+use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
 
 /// What tags become where several meshes become one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,7 +45,10 @@ impl Mesh {
         if meshes.is_empty() {
             return Err(Error::invalid("meshes: none: a mesh has at least one face"));
         }
-        let inputs = meshes.iter().map(|m| m.as_input()).collect::<Result<Vec<_>>>()?;
+        let mut inputs = try_with_capacity("meshes", meshes.len())?;
+        for mesh in meshes {
+            inputs.push(mesh.as_input()?);
+        }
         build(join(inputs, tags)?, options)
     }
 
@@ -60,19 +61,30 @@ impl Mesh {
         build(self.as_input()?, options)
     }
 
-    /// The mesh in parts that keep vertices, orientation, tags, names and data. Faces are numbered anew in
-    /// each, in their order.
+    /// The mesh in parts that keep vertices, orientation, tags, their names, and data. Vertices and faces are
+    /// numbered anew in each, in their order.
     ///
     /// # Errors
     /// [`Status::Memory`].
     pub fn split(&self, by: SplitBy) -> Result<Vec<Mesh>> {
         let (part_of_face, parts) = self.parts(by)?;
-        let mut members = filled("parts", parts, Vec::new())?;
+        let mut end = filled("parts", parts + 1, 0u32)?;
+        part_of_face.iter().for_each(|&part| end[part as usize] += 1);
+        starts_from_counts(&mut end);
+        let mut members = filled("faces", part_of_face.len(), 0u32)?;
         for (f, &part) in part_of_face.iter().enumerate() {
-            members[part as usize].push(f as u32);
+            members[end[part as usize] as usize] = f as u32;
+            end[part as usize] += 1;
         }
         let mut marks = filled("rows", self.vertices.len() + self.data.seam_rows.len(), u32::MAX)?;
-        members.iter().map(|faces| build(self.input_of(faces, &mut marks)?, &as_it_stands())).collect()
+        let mut split = try_with_capacity("parts", parts)?;
+        let mut first = 0;
+        for &end in &end[..parts] {
+            let faces = &members[first..end as usize];
+            split.push(build(self.input_of(faces, &mut marks)?, &as_it_stands())?);
+            first = end as usize;
+        }
+        Ok(split)
     }
 
     /// How many parts [`Mesh::split`] gives.
@@ -84,17 +96,16 @@ impl Mesh {
     }
 
     /// The part of each face as it stands, and how many there are.
-    fn parts(&self, by: SplitBy) -> Result<(Vec<u32>, usize)> {
+    pub(super) fn parts(&self, by: SplitBy) -> Result<(Vec<u32>, usize)> {
         let topology = &self.half_edges;
         let mut part = filled("faces", topology.face_count(), 0u32)?;
         match by {
             SplitBy::Tag => {
-                let mut number = BTreeMap::new();
-                let tag = |f: usize| self.tag(topology.input_face(f as u32));
-                (0..part.len()).for_each(|f| _ = number.insert(tag(f), 0));
-                (0..).zip(number.values_mut()).for_each(|(k, n)| *n = k);
-                part.iter_mut().enumerate().for_each(|(f, p)| *p = number[&tag(f)]);
-                Ok((part, number.len()))
+                let tags = self.used_tags()?;
+                for (part, &f) in part.iter_mut().zip(&topology.faces().input) {
+                    *part = tags.partition_point(|t| *t < self.tag(f)) as u32;
+                }
+                Ok((part, tags.len()))
             }
             SplitBy::Component => {
                 let mut sets = Sets::new(part.len())?;
@@ -113,6 +124,14 @@ impl Mesh {
         }
     }
 
+    /// The different tags of the faces as they stand, ascending.
+    ///
+    /// # Errors
+    /// [`Status::Memory`].
+    pub fn used_tags(&self) -> Result<Vec<i32>> {
+        different(self.half_edges.faces().input.iter().map(|&f| self.tag(f)))
+    }
+
     /// All faces with their numbers, as an input.
     pub(crate) fn as_input(&self) -> Result<Input> {
         let rows = self.vertices.len() + self.data.seam_rows.len();
@@ -120,14 +139,14 @@ impl Mesh {
         input.positions.extend((0..rows as u32).map(|r| self.vertices[self.vertex_of_row(r) as usize]));
         input.same_as = try_with_capacity("vertices", rows)?;
         input.same_as.extend((0..rows as u32).map(|r| self.vertex_of_row(r)));
-        input.faces = self.half_edges.faces().clone();
+        input.faces = self.half_edges.faces().try_clone()?;
         if !self.data.row_of_corner.is_empty() {
             input.faces.corners.copy_from_slice(&self.data.row_of_corner);
         }
-        input.tags = self.tags.clone();
-        input.tag_names = self.tag_names.clone();
-        input.vertex_data = self.data.vertex.clone();
-        input.face_data = self.data.face.clone();
+        input.tags = try_copy("tags", &self.tags)?;
+        input.tag_names = self.copied_tag_names()?;
+        input.vertex_data = Field::try_clone(&self.data.vertex)?;
+        input.face_data = Field::try_clone(&self.data.face)?;
         input.numbers = self.face_count;
         Ok(input)
     }
@@ -135,35 +154,36 @@ impl Mesh {
     /// Some faces, numbered anew, as an input. `marks` has an item a row, all `u32::MAX`, and has that again.
     fn input_of(&self, faces: &[u32], marks: &mut [u32]) -> Result<Input> {
         let own = self.half_edges.faces();
-        let mut rows: Vec<u32> = Vec::new();
-        let mut mark = |row: u32| {
-            if marks[row as usize] == u32::MAX {
-                marks[row as usize] = rows.len() as u32;
-                rows.push(row);
-            }
-            marks[row as usize]
-        };
         let corners = faces.iter().map(|&f| own.face(f as usize).len()).sum();
+        let mut rows: Vec<u32> = try_with_capacity("rows", marks.len().min(2 * corners))?;
+        // The vertex with each of its rows, so that a seam's rows know the vertex that they are at.
+        let rows_at = |h: u32| (self.half_edges.origin(h), self.data.row(h, self.half_edges.origin(h)));
+        for (v, row) in faces.iter().flat_map(|&f| self.half_edges.around_face(f)).map(rows_at) {
+            for r in [v, row] {
+                if std::mem::replace(&mut marks[r as usize], 0) == u32::MAX {
+                    rows.push(r);
+                }
+            }
+        }
+        rows.sort_unstable_by_key(|&r| (self.vertex_of_row(r), r));
+        (0..).zip(&rows).for_each(|(k, &r)| marks[r as usize] = k);
         let mut out = Faces::with_capacity(faces.len(), corners)?;
         for (number, &f) in faces.iter().enumerate() {
-            let range = self.half_edges.around_face(f);
-            // The vertex's own row first, so that a seam's rows know the vertex that they are at.
-            let ring = range.map(|h| {
-                let v = self.half_edges.origin(h);
-                mark(v);
-                mark(self.data.row(h, v))
-            });
-            out.push_all(ring, number as u32);
+            let ring = self.half_edges.around_face(f);
+            out.push_all(ring.map(|h| marks[rows_at(h).1 as usize]), number as u32);
         }
-        let positions: Vec<Vec3> = rows.iter().map(|&r| self.vertices[self.vertex_of_row(r) as usize]).collect();
-        let mut input = Input::new(positions, out, Status::InvalidArgument);
-        input.same_as = rows.iter().map(|&r| marks[self.vertex_of_row(r) as usize]).collect();
+        let mut input = Input::new(try_with_capacity("vertices", rows.len())?, out, Status::InvalidArgument);
+        input.positions.extend(rows.iter().map(|&r| self.vertices[self.vertex_of_row(r) as usize]));
+        input.same_as = try_with_capacity("vertices", rows.len())?;
+        input.same_as.extend(rows.iter().map(|&r| marks[self.vertex_of_row(r) as usize]));
         rows.iter().for_each(|&r| marks[r as usize] = u32::MAX);
         let numbers = || faces.iter().map(|&f| self.half_edges.input_face(f));
         if !self.tags.is_empty() {
+            input.tags = try_with_capacity("tags", faces.len())?;
             input.tags.extend(numbers().map(|f| self.tag(f)));
         }
-        input.tag_names = self.tag_names.clone();
+        let named = different(numbers().map(|f| self.tag(f)))?;
+        input.tag_names.extend(named.iter().filter_map(|&tag| Some((tag, self.tag_name(tag)?.to_owned()))));
         for field in &self.data.vertex {
             input.vertex_data.push(field.gathered(rows.iter().copied())?);
         }
@@ -193,11 +213,14 @@ pub(crate) fn join(mut inputs: Vec<Input>, tags: JoinTags) -> Result<Input> {
     }
     renumber_tags(&mut inputs, tags)?;
     let blame = inputs.first().map_or(Status::InvalidArgument, |i| i.blame);
-    let mut all = Input::new(try_with_capacity("vertices", vertices)?, Faces::with_capacity(0, corners)?, blame);
+    let faces = inputs.iter().map(|i| i.faces.len()).sum();
+    let mut all = Input::new(try_with_capacity("vertices", vertices)?, Faces::with_capacity(faces, corners)?, blame);
     all.vertex_data = join_fields(&inputs, |i| (&i.vertex_data, i.positions.len()))?;
     all.face_data = join_fields(&inputs, |i| (&i.face_data, i.face_numbers()))?;
     let tagged = inputs.iter().any(|i| !i.tags.is_empty());
     let known = inputs.iter().any(|i| !i.same_as.is_empty());
+    all.tags = try_with_capacity("tags", if tagged { numbers } else { 0 })?;
+    all.same_as = try_with_capacity("vertices", if known { vertices } else { 0 })?;
     let mut first_number = 0;
     for input in inputs {
         let (first, count) = (all.positions.len() as u32, input.face_numbers());
@@ -238,19 +261,27 @@ fn renumber_tags(inputs: &mut [Input], tags: JoinTags) -> Result<()> {
                 if input.tags.is_empty() {
                     input.tags = filled("tags", count, 0)?;
                 }
-                let mut new = BTreeMap::new();
-                input.faces.input.iter().for_each(|f| _ = new.insert(input.tags[*f as usize], 0));
-                for number in new.values_mut() {
-                    *number = next;
-                    next += 1;
-                }
-                input.tags.iter_mut().for_each(|tag| *tag = new.get(tag).copied().unwrap_or(-1));
-                input.tag_names.retain(|(tag, _)| new.contains_key(tag));
-                input.tag_names.iter_mut().for_each(|(tag, _)| *tag = new[tag]);
+                let old = different(input.faces.input.iter().map(|f| input.tags[*f as usize]))?;
+                let beyond = i32::try_from(next as usize + old.len());
+                let beyond = beyond.map_err(|_| Error::invalid(format!("tags: more than {} of them", i32::MAX)))?;
+                let anew = |tag: i32| old.binary_search(&tag).map_or(-1, |at| next + at as i32);
+                input.tags.iter_mut().for_each(|tag| *tag = anew(*tag));
+                input.tag_names.iter_mut().for_each(|(tag, _)| *tag = anew(*tag));
+                input.tag_names.retain(|(tag, _)| *tag >= 0);
+                next = beyond;
             }
         }
     }
     Ok(())
+}
+
+/// Each tag once, ascending.
+fn different(tags: impl ExactSizeIterator<Item = i32>) -> Result<Vec<i32>> {
+    let mut all = try_with_capacity("tags", tags.len())?;
+    all.extend(tags);
+    all.sort_unstable();
+    all.dedup();
+    Ok(all)
 }
 
 /// The fields of all inputs, by name in the order in which they turn up.
@@ -264,8 +295,8 @@ fn join_fields<'a>(inputs: &'a [Input], of: impl Fn(&'a Input) -> (&'a Vec<Field
             let at = match joined.iter().position(|f| f.name == field.name) {
                 Some(at) => at,
                 None => {
-                    let values = try_with_capacity("values", total * field.components)?;
-                    joined.push(Field { values, ..field.clone() });
+                    let values = try_with_capacity("values", total.saturating_mul(field.components))?;
+                    joined.push(field.with_values(values));
                     joined.len() - 1
                 }
             };

@@ -31,11 +31,12 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     };
     let Cleaned { vertices, mut faces, source, shrunk } = clean(&input, welded)?;
     let face_count = input.face_numbers();
-    let Input { positions, same_as, faces: given, tags, tag_names, vertex_data, face_data, blame, .. } = input;
+    let Input { positions, same_as, faces: given, tags, tag_names, vertex_data, face_data, .. } = input;
     // Of a large file these are most of the memory.
     drop((positions, same_as, given));
     report.degenerate_faces = shrunk.len();
-    let mut triangles = triangulate(&vertices, &faces, blame)?;
+    let (mut triangles, warped) = triangulate(&vertices, &faces)?;
+    report.warped_faces = warped;
     let edges = Edges::of(vertices.len(), faces.half_edges())?;
     let of_half_edge = faces.of_half_edges()?;
     let repeats = duplicates::find(&faces, vertices.len())?;
@@ -52,9 +53,11 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
         Orient::Keep => filled("faces", faces.len(), false)?,
         Orient::Flip => filled("faces", faces.len(), true)?,
         // The rule of orient.rs without the work, for what most files hold.
-        Orient::Auto if report.is_one_consistent_sheet() => filled("faces", faces.len(), report.inside_out)?,
-        Orient::Auto if report.duplicate_faces == 0 => orient::outward(&parts)?,
-        Orient::Auto => copies::turned(&parts, &repeats)?,
+        Orient::Auto | Orient::Alternate if report.is_one_consistent_sheet() => {
+            filled("faces", faces.len(), report.inside_out)?
+        }
+        _ if report.duplicate_faces == 0 => orient::outward(&parts, options.orient == Orient::Alternate)?,
+        _ => copies::turned(&parts, &repeats, options.orient == Orient::Alternate)?,
     };
     drop(repeats);
     turn_over(&faces.start, &mut faces.corners, &turned);

@@ -7,7 +7,7 @@ use super::faces::{Faces, filled};
 use super::half_edge::HalfEdges;
 use super::orient::{self, Parts};
 use super::{Data, Mesh, Surface, Triangle};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, try_copy};
 use crate::math::Vec3;
 
 /// What is left without copies.
@@ -36,16 +36,19 @@ fn single(vertices: &[Vec3], faces: &Faces, triangles: &[Triangle], repeats: &Re
 
 /// The faces to turn over so that what is left without copies is oriented, and copies run as the one that
 /// stands for them.
-pub(super) fn turned(parts: &Parts, repeats: &Repeats) -> Result<Vec<bool>> {
+pub(super) fn turned(parts: &Parts, repeats: &Repeats, alternate: bool) -> Result<Vec<bool>> {
     let Single { faces, triangles, edges, walled } = single(parts.vertices, parts.faces, parts.triangles, repeats)?;
     let of_half_edge = faces.of_half_edges()?;
-    let of_single = orient::outward(&Parts {
-        vertices: parts.vertices,
-        faces: &faces,
-        triangles: &triangles,
-        edges: &edges,
-        of_half_edge: &of_half_edge,
-    })?;
+    let of_single = orient::outward(
+        &Parts {
+            vertices: parts.vertices,
+            faces: &faces,
+            triangles: &triangles,
+            edges: &edges,
+            of_half_edge: &of_half_edge,
+        },
+        alternate,
+    )?;
     let first = if walled { &repeats.same_way } else { &repeats.either_way };
     let mut turned = filled("faces", first.len(), false)?;
     let mut next = 0;
@@ -76,14 +79,10 @@ impl Mesh {
         let surface = Surface::of(&faces, &edges, volume);
         let of_half_edge = faces.of_half_edges()?;
         let half_edges = HalfEdges::new(vertices.len(), faces, of_half_edge, &edges)?;
-        let mut own_vertices = try_with_capacity("vertices", vertices.len())?;
-        own_vertices.extend_from_slice(vertices);
-        let mut tags = try_with_capacity("tags", self.tags.len())?;
-        tags.extend_from_slice(&self.tags);
         Ok(Some(Mesh {
-            vertices: own_vertices,
+            vertices: try_copy("vertices", vertices)?,
             triangles,
-            tags,
+            tags: try_copy("tags", &self.tags)?,
             tag_names: Vec::new(),
             data: Data::default(),
             face_count: self.face_count,

@@ -3,7 +3,7 @@
 
 use super::Mesh;
 use super::faces::{Faces, filled};
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, try_copy, try_with_capacity};
 use crate::math::Vec3;
 
 /// The type that the values had in the file, and have again when written.
@@ -57,7 +57,21 @@ impl Field {
         for k in from {
             values.extend_from_slice(self.item(k as usize));
         }
-        Ok(Field { name: self.name.clone(), kind: self.kind, components: self.components, values })
+        Ok(self.with_values(values))
+    }
+
+    /// Other values under the same name.
+    pub(crate) fn with_values(&self, values: Vec<f64>) -> Field {
+        Field { name: self.name.clone(), kind: self.kind, components: self.components, values }
+    }
+
+    /// Copies.
+    pub(crate) fn try_clone(fields: &[Field]) -> Result<Vec<Field>> {
+        let mut copies = try_with_capacity("fields", fields.len())?;
+        for field in fields {
+            copies.push(field.with_values(try_copy("values", &field.values)?));
+        }
+        Ok(copies)
     }
 }
 
@@ -86,7 +100,8 @@ impl Data {
         const NONE: u32 = u32::MAX;
         let mut given_of_row = filled("rows", vertices, NONE)?;
         let mut next_row = filled("rows", vertices, NONE)?;
-        let mut vertex_of_row: Vec<u32> = (0..vertices as u32).collect();
+        let mut vertex_of_row = try_with_capacity("rows", vertices)?;
+        vertex_of_row.extend(0..vertices as u32);
         let mut row_of_corner = try_with_capacity("corners", source.len())?;
         let bits = |k: u32| vertex.iter().flat_map(move |f| f.item(k as usize).iter().map(|x| x.to_bits()));
         for (&v, &given) in faces.corners.iter().zip(source) {
@@ -96,6 +111,9 @@ impl Data {
             let mut row = v;
             while given_of_row[row as usize] != given && !bits(given_of_row[row as usize]).eq(bits(given)) {
                 if next_row[row as usize] == NONE {
+                    for rows in [&mut given_of_row, &mut next_row, &mut vertex_of_row] {
+                        rows.try_reserve(1).map_err(|_| Error::memory("rows", rows.len()))?;
+                    }
                     next_row[row as usize] = given_of_row.len() as u32;
                     given_of_row.push(given);
                     next_row.push(NONE);
@@ -105,15 +123,24 @@ impl Data {
             }
             row_of_corner.push(row);
         }
-        let seam_rows = vertex_of_row.split_off(vertices);
+        let seam_rows = try_copy("rows", &vertex_of_row[vertices..])?;
         let mut rows = try_with_capacity("fields", vertex.len())?;
-        for field in &vertex {
+        for field in vertex {
             rows.push(field.gathered(given_of_row.iter().copied())?);
         }
         if seam_rows.is_empty() {
             row_of_corner = Vec::new();
         }
         Ok(Data { vertex: rows, face, row_of_corner, seam_rows })
+    }
+
+    fn try_clone(&self) -> Result<Data> {
+        Ok(Data {
+            vertex: Field::try_clone(&self.vertex)?,
+            face: Field::try_clone(&self.face)?,
+            row_of_corner: try_copy("corners", &self.row_of_corner)?,
+            seam_rows: try_copy("rows", &self.seam_rows)?,
+        })
     }
 
     /// The row of a corner, given with its vertex.
@@ -165,20 +192,21 @@ impl Mesh {
     /// # Errors
     /// [`Status::InvalidArgument`](crate::Status): a name that is empty or not one line, a count that is not
     /// that of the vertices or faces. [`Status::Memory`](crate::Status).
-    pub fn with_field(&self, on_faces: bool, field: Field) -> Result<Mesh> {
+    pub fn with_field(&self, on_faces: bool, mut field: Field) -> Result<Mesh> {
         let items = if on_faces { self.face_count } else { self.vertices.len() };
         check_field(&field, items)?;
-        let mut mesh = self.copied();
-        let own = if on_faces { &mut mesh.data.face } else { &mut mesh.data.vertex };
-        own.retain(|f| f.name != field.name);
-        own.push(field);
         if !on_faces {
-            let seams = mesh.data.seam_rows.clone();
-            if let Some(field) = mesh.data.vertex.last_mut() {
-                for v in seams {
-                    field.values.extend_from_within(v as usize * field.components..(v as usize + 1) * field.components);
-                }
+            let more = self.data.seam_rows.len().saturating_mul(field.components);
+            field.values.try_reserve_exact(more).map_err(|_| Error::memory("values", more))?;
+            for &v in &self.data.seam_rows {
+                field.values.extend_from_within(v as usize * field.components..(v as usize + 1) * field.components);
             }
+        }
+        let mut mesh = self.copied()?;
+        let own = if on_faces { &mut mesh.data.face } else { &mut mesh.data.vertex };
+        match own.iter_mut().find(|f| f.name == field.name) {
+            Some(known) => *known = field,
+            None => own.push(field),
         }
         Ok(mesh)
     }
@@ -187,6 +215,7 @@ impl Mesh {
     ///
     /// # Errors
     /// [`Status::InvalidArgument`](crate::Status): a count that is not that of the faces, a tag named twice.
+    /// [`Status::Memory`](crate::Status).
     pub fn with_tags(&self, tags: &[i32], mut names: Vec<(i32, String)>) -> Result<Mesh> {
         if tags.len() != self.face_count {
             return Err(Error::invalid(format!("tags: {} values for {} faces", tags.len(), self.face_count)));
@@ -195,22 +224,29 @@ impl Mesh {
         if let Some(w) = names.windows(2).find(|w| w[0].0 == w[1].0) {
             return Err(Error::invalid(format!("names: tag {} has two names", w[0].0)));
         }
-        Ok(Mesh { tags: tags.to_vec(), tag_names: names, ..self.copied() })
+        Ok(Mesh { tags: try_copy("tags", tags)?, tag_names: names, ..self.copied()? })
     }
 
-    fn copied(&self) -> Mesh {
-        Mesh {
-            vertices: self.vertices.clone(),
-            triangles: self.triangles.clone(),
-            tags: self.tags.clone(),
-            tag_names: self.tag_names.clone(),
-            data: self.data.clone(),
+    pub(super) fn copied(&self) -> Result<Mesh> {
+        Ok(Mesh {
+            vertices: try_copy("vertices", &self.vertices)?,
+            triangles: try_copy("triangles", &self.triangles)?,
+            tags: try_copy("tags", &self.tags)?,
+            tag_names: self.copied_tag_names()?,
+            data: self.data.try_clone()?,
             face_count: self.face_count,
-            shrunk: self.shrunk.clone(),
-            half_edges: self.half_edges.clone(),
+            shrunk: try_copy("faces", &self.shrunk)?,
+            half_edges: self.half_edges.try_clone()?,
             report: self.report.clone(),
             surface: self.surface,
-        }
+        })
+    }
+
+    /// A copy of the names of all tags.
+    pub(super) fn copied_tag_names(&self) -> Result<Vec<(i32, String)>> {
+        let mut names = try_with_capacity("names", self.tag_names.len())?;
+        names.extend(self.tag_names.iter().cloned());
+        Ok(names)
     }
 }
 

@@ -48,11 +48,15 @@ pub(crate) fn find(faces: &Faces, vertices: usize) -> Result<Repeats> {
         if group.len() > 1 {
             group.sort_unstable_by(|f, g| compare(f, g).then(f.cmp(g)));
             for copies in group.chunk_by(|f, g| compare(f, g) == Ordering::Equal) {
-                for (k, &copy) in copies.iter().enumerate().skip(1) {
+                // The earliest that runs the other way than the very first: looking for it anew at each copy is
+                // quadratic.
+                let mut reverse = None;
+                for &copy in &copies[1..] {
                     repeats.either_way[copy as usize] = copies[0];
-                    if let Some(first) = copies[..k].iter().find(|&&f| forward(f) == forward(copy)) {
-                        repeats.same_way[copy as usize] = *first;
-                    }
+                    repeats.same_way[copy as usize] = match forward(copy) == forward(copies[0]) {
+                        true => copies[0],
+                        false => *reverse.get_or_insert(copy),
+                    };
                 }
             }
         }

@@ -5,7 +5,8 @@
 use super::Mesh;
 use super::measure::{Sum, area, twice_area};
 use crate::math::{Vec3, cross_of_differences, length, positive_zero, unit};
-use crate::primitive::polygon::{are_collinear, area_vector};
+use crate::primitive::inside::{Inside, contains};
+use crate::primitive::polygon::{are_collinear, area_vector, projection};
 use crate::primitive::triangle::{Prepared, V3, nearest};
 use std::ops::Range;
 
@@ -64,6 +65,14 @@ impl Mesh {
         let distance = length(p - foot);
         let behind = (p - foot).dot(normal) < 0.0;
         (positive_zero(if behind { -distance } else { distance }), foot + Vec3::ZERO)
+    }
+
+    /// Whether a point lies in a face of [`Mesh::half_edges`], both seen along the largest component of the face's
+    /// area vector. Panics on a number out of range.
+    pub fn face_contains(&self, f: u32, p: Vec3, how: Inside) -> bool {
+        let corners = self.half_edges().corners(f).iter().map(|&v| self.vertices()[v as usize]);
+        let [u, v] = projection(area_vector(corners.clone()));
+        contains(corners.map(|q| [q[u], q[v]]), [p[u], p[v]], how)
     }
 
     fn measure_face(&self, f: u32) -> Measure {

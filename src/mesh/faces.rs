@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Polygons as flat index arrays, and vectors whose size comes from input.
 
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Error, Result, try_copy, try_with_capacity};
 
 /// Polygons: face f has the corners `corners[start[f]..start[f + 1]]`. Its half-edges have the same numbers
 /// as its corners: each runs from its corner to the next one of the face.
@@ -21,11 +21,32 @@ impl Faces {
         Ok(Faces { start, corners: try_with_capacity("corners", corners)?, input: try_with_capacity("faces", faces)? })
     }
 
+    /// A copy.
+    pub fn try_clone(&self) -> Result<Faces> {
+        Ok(Faces {
+            start: try_copy("faces", &self.start)?,
+            corners: try_copy("corners", &self.corners)?,
+            input: try_copy("faces", &self.input)?,
+        })
+    }
+
     /// Adds a face.
     pub fn push(&mut self, corners: &[u32], input: u32) {
         self.corners.extend_from_slice(corners);
         self.start.push(self.corners.len() as u32);
         self.input.push(input);
+    }
+
+    /// The same where no room was reserved, and where the count of corners may go beyond their numbers.
+    pub fn try_push(&mut self, corners: &[u32], input: u32) -> Result<()> {
+        let count = self.corners.len() + corners.len();
+        if count >= u32::MAX as usize {
+            return Err(Error::unsupported(format!("faces: {count} corners are more than {}", u32::MAX - 1)));
+        }
+        let reserved = self.corners.try_reserve(corners.len()).and_then(|()| self.start.try_reserve(1));
+        reserved.and_then(|()| self.input.try_reserve(1)).map_err(|_| Error::memory("corners", count))?;
+        self.push(corners, input);
+        Ok(())
     }
 
     /// The same from an iterator.

@@ -3,7 +3,8 @@
 
 use super::edges::{Edges, NONE};
 use super::faces::{Faces, filled, starts_from_counts};
-use crate::error::Result;
+use super::{Mesh, Triangle};
+use crate::error::{Result, try_copy};
 use std::ops::Range;
 
 /// The topology of a mesh as it stands: oriented, without collapsed faces; faces keep all
@@ -45,6 +46,34 @@ impl HalfEdges {
         start.rotate_right(1);
         start[0] = 0;
         Ok(HalfEdges { faces, of_half_edge, twin, outgoing_start: start, outgoing })
+    }
+
+    /// A copy.
+    pub(super) fn try_clone(&self) -> Result<HalfEdges> {
+        Ok(HalfEdges {
+            faces: self.faces.try_clone()?,
+            of_half_edge: try_copy("half-edges", &self.of_half_edge)?,
+            twin: try_copy("half-edges", &self.twin)?,
+            outgoing_start: try_copy("vertices", &self.outgoing_start)?,
+            outgoing: try_copy("half-edges", &self.outgoing)?,
+        })
+    }
+
+    /// The topology of triangles, each a face of its own.
+    pub(crate) fn of_triangles(vertices: usize, triangles: &[Triangle]) -> Result<HalfEdges> {
+        let mut faces = Faces::with_capacity(triangles.len(), 3 * triangles.len())?;
+        triangles.iter().zip(0..).for_each(|(t, k)| faces.push(&t.vertices, k));
+        let edges = Edges::of(vertices, faces.half_edges())?;
+        let of_half_edge = faces.of_half_edges()?;
+        HalfEdges::new(vertices, faces, of_half_edge, &edges)
+    }
+
+    /// The topology of the triangles of a mesh; none where its faces are triangles, so that they have it already.
+    pub(crate) fn of_pieces(mesh: &Mesh) -> Result<Option<HalfEdges>> {
+        match mesh.half_edges.face_count() == mesh.triangles.len() {
+            true => Ok(None),
+            false => HalfEdges::of_triangles(mesh.vertices.len(), &mesh.triangles).map(Some),
+        }
     }
 
     /// The faces and their corners.

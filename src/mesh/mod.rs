@@ -7,17 +7,20 @@ mod build;
 mod clean;
 mod copies;
 mod data;
+mod diagnosis;
 mod duplicates;
 mod edges;
 mod element;
 mod faces;
 mod half_edge;
 mod input;
+mod least_area;
 mod measure;
 mod nesting;
 mod options;
 mod orient;
 mod pseudonormal;
+mod repair;
 mod report;
 mod triangulate;
 mod weld;
@@ -27,11 +30,16 @@ pub use assembly::{JoinTags, SplitBy};
 pub(crate) use build::{LARGEST_COORDINATE, build};
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};
+pub use diagnosis::{
+    BoundaryLoop, Component, Diagnosis, DiagnosisOptions, Duplicate, FaceMeasure, InconsistentEdge, Intersections,
+    Lists, NO_COMPONENT, NonmanifoldVertex,
+};
 pub use element::{Element, Measure};
 pub(crate) use faces::{Faces, Sets};
 pub use half_edge::HalfEdges;
 pub(crate) use input::Input;
 pub use options::{MeshOptions, Orient};
+pub use repair::{RepairOptions, Repairs};
 
 use crate::error::Result;
 use crate::math::{Aabb, Vec3};
@@ -75,6 +83,9 @@ pub struct Report {
     pub degenerate_faces: usize,
     /// Faces that repeat an earlier one, in either winding.
     pub duplicate_faces: usize,
+    /// Faces of more than three corners that are farther from a plane than 1e-5 of their size (rounding of
+    /// their coordinates to f32 is allowed for) or cross themselves.
+    pub warped_faces: usize,
     /// Flux of the field (x, 0, 0) through the faces as they run: of a closed and consistent mesh, the
     /// volume it encloses, negative where it is inside out; of an open one it depends on where the mesh lies.
     pub volume: f64,
@@ -149,14 +160,13 @@ impl Mesh {
         build::build(arrays::check(xyz, None, indices, tags, options)?, options)
     }
 
-    /// A mesh of plane polygons: face f has the corners `indices[offsets[f]..offsets[f + 1]]`, at least
-    /// three. Faces may be concave and may touch themselves (a hole joined to the rim by a bridge); they
-    /// are cut into triangles by clipping ears.
+    /// A mesh of polygons: face f has the corners `indices[offsets[f]..offsets[f + 1]]`, at least three.
+    /// Faces may be concave, may touch themselves (a hole joined to the rim by a bridge) and need not be quite
+    /// plane: each is cut into triangles that keep its boundary ([`Report::warped_faces`] counts doubtful ones).
     ///
     /// # Errors
     /// Those of [`Mesh::from_triangles`]; offsets that do not begin with 0, fall, leave a face fewer than
-    /// three corners or do not end with the count of indices; a face that is farther from a plane than
-    /// 1e-5 of its size (rounding of its coordinates to f32 is allowed for) or crosses itself.
+    /// three corners or do not end with the count of indices.
     pub fn from_polygons(
         xyz: &[f64],
         offsets: &[usize],
@@ -214,9 +224,25 @@ impl Mesh {
         &self.data.vertex
     }
 
+    /// The item of the vertex data that belongs to the corner where a half-edge begins: its vertex's, unless a
+    /// seam runs there.
+    pub fn vertex_data_row(&self, half_edge: u32) -> u32 {
+        self.data.row(half_edge, self.half_edges.origin(half_edge))
+    }
+
     /// Named data of the faces, by the number of the input face.
     pub fn face_fields(&self) -> &[Field] {
         &self.data.face
+    }
+
+    /// Whether any face has a tag other than 0, or a tag has a name.
+    pub(crate) fn is_tagged(&self) -> bool {
+        !self.tag_names.is_empty() || self.tags.iter().any(|t| *t != 0)
+    }
+
+    /// Rows of the vertex data: vertices, and other corners of seams.
+    pub(crate) fn row_count(&self) -> usize {
+        self.vertices.len() + self.data.seam_rows.len()
     }
 
     /// Data of vertices and faces, with their seams.

@@ -16,6 +16,9 @@ pub enum Orient {
     Keep,
     /// Every face turned over, nothing else.
     Flip,
+    /// As [`Orient::Auto`], but every closed shell alternates with those around it, whatever it was as given:
+    /// outermost shells face outward, those within them inward, and so on.
+    Alternate,
 }
 
 /// A point of the input becomes `shift + scale * rotation * p`, in f64, before welding.

@@ -29,13 +29,13 @@ pub(super) struct Parts<'a> {
     pub of_half_edge: &'a [u32],
 }
 
-/// The faces to turn over by the rule above.
-pub(super) fn outward(parts: &Parts) -> Result<Vec<bool>> {
+/// The faces to turn over by the rule above; `alternate`: step 4 for every closed shell, and step 3 for none.
+pub(super) fn outward(parts: &Parts, alternate: bool) -> Result<Vec<bool>> {
     let mut patches = Patches::flood(parts)?;
     let shell_of_patch = patches.shells(parts)?;
     let mut turned = std::mem::take(&mut patches.turned);
     let shells = Shells::new(parts, &patches, &shell_of_patch, &turned)?;
-    let turn_shell = shells.turns(parts.vertices)?;
+    let turn_shell = shells.turns(parts.vertices, alternate)?;
     for (f, turn) in turned.iter_mut().enumerate() {
         let shell = shell_of_patch[patches.of_face[f] as usize];
         *turn ^= turn_shell[shells.number[shell as usize] as usize];
@@ -226,18 +226,18 @@ impl Shells {
     }
 
     /// Steps 3 and 4: the shells to turn over.
-    fn turns(&self, vertices: &[Vec3]) -> Result<Vec<bool>> {
+    fn turns(&self, vertices: &[Vec3], alternate: bool) -> Result<Vec<bool>> {
         let mut turn = filled("shells", self.closed.len(), false)?;
         let closed: Vec<u32> = (0..turn.len() as u32).filter(|&s| self.closed[s as usize]).collect();
         let doubtful = |s: &u32| self.volume[*s as usize] < 0.0 || !self.consistent[*s as usize];
-        if !closed.iter().any(doubtful) {
+        if !alternate && !closed.iter().any(doubtful) {
             return Ok(turn);
         }
         let around = nesting::shells_around(vertices, &self.grouped, &self.bounds, &closed)?;
         for &s in &closed {
             let own = s as usize;
             let outermost = around[own].iter().map(|&c| c as usize).find(|&c| around[c].is_empty()).unwrap_or(own);
-            turn[own] = if self.consistent[own] {
+            turn[own] = if self.consistent[own] && !alternate {
                 self.consistent[outermost] && self.volume[outermost] < 0.0
             } else if around[own].len() % 2 == 0 {
                 self.volume[own] < 0.0

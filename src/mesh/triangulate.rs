@@ -3,30 +3,42 @@
 
 use super::Triangle;
 use super::faces::Faces;
-use crate::error::{Error, Result, Status, try_with_capacity};
+use super::least_area::least_area;
+use crate::error::{Result, try_with_capacity};
 use crate::math::{Aabb, Vec3, length, unit};
 use crate::primitive::polygon;
 
-/// Off the plane of a face by at most this part of its size, and by what rounding to f32 explains.
+/// Off the plane of a face by at most this part of its size, and by what rounding to f32 explains: beyond, a
+/// face counts as warped.
 const PLANARITY: f64 = 1e-5;
 const F32_ROUNDING: f64 = 2.4e-7;
 
-/// The triangles of all faces in order. `Triangle::face` counts in `faces`, not in the input.
-pub(super) fn triangulate(vertices: &[Vec3], faces: &Faces, blame: Status) -> Result<Vec<Triangle>> {
+/// Faces of more corners that no plane shows without crossings are cut into a plain fan: the least area takes
+/// the cube of their number.
+const MOST_CORNERS: usize = 1000;
+
+/// The triangles of all faces in order; also how many faces are warped. `Triangle::face` counts in `faces`, not in
+/// the input.
+///
+/// Every face keeps its boundary. Seen along its area vector, a face that the diagonals from its first corner cut
+/// is cut by those; another that does not cross itself by clipping ears; and what does by the triangulation of least
+/// area.
+pub(super) fn triangulate(vertices: &[Vec3], faces: &Faces) -> Result<(Vec<Triangle>, usize)> {
     let count = faces.corners.len() - 2 * faces.len();
     let mut triangles = try_with_capacity("triangles", count)?;
     let mut scratch = Scratch::default();
+    let mut warped = 0;
     for (f, corners) in faces.iter().enumerate() {
         let face = f as u32;
         if let &[a, b, c] = corners {
             triangles.push(Triangle { vertices: [a, b, c], face, turned: false });
             continue;
         }
-        scratch.cut(vertices, corners).map_err(|why| Error::new(blame, format!("face {}: {why}", faces.input[f])))?;
+        warped += usize::from(!scratch.cut(vertices, corners)?);
         let to_vertices = |t: &[u32; 3]| Triangle { vertices: t.map(|k| corners[k as usize]), face, turned: false };
         triangles.extend(scratch.triangles.iter().map(to_vertices));
     }
-    Ok(triangles)
+    Ok((triangles, warped))
 }
 
 /// Buffers that serve one face after another.
@@ -38,43 +50,49 @@ struct Scratch {
 }
 
 impl Scratch {
-    /// Fills `triangles`, as indices into `corners`, or says why not.
-    fn cut(&mut self, vertices: &[Vec3], corners: &[u32]) -> std::result::Result<(), String> {
+    /// Fills `triangles`, as indices into `corners`; whether the face is plane and does not cross itself.
+    fn cut(&mut self, vertices: &[Vec3], corners: &[u32]) -> Result<bool> {
         let n = corners.len();
         let at = |k: usize| vertices[corners[k] as usize];
         let points = (0..n).map(at);
         self.ring.resize(n, 0);
-        self.triangles.resize(n - 2, [0; 3]);
+        self.fan(n);
+        if polygon::are_on_a_line(points.clone()) {
+            return Ok(true);
+        }
         let normal = polygon::area_vector(points.clone());
-        if (2..n).all(|k| polygon::are_collinear(at(0), at(1), at(k))) {
-            for (k, t) in self.triangles.iter_mut().enumerate() {
-                *t = [0, k as u32 + 1, k as u32 + 2];
+        if normal != Vec3::ZERO {
+            let [u, v] = polygon::projection(normal);
+            self.points.clear();
+            self.points.extend(points.clone().map(|p| [p[u], p[v]]));
+            if polygon::is_cut_by_fan(&self.points)
+                || polygon::clip_ears(&self.points, &mut self.ring, &mut self.triangles)
+            {
+                return Ok(is_plane(points, unit(normal)));
             }
-            return Ok(());
         }
-        if normal == Vec3::ZERO {
-            return Err(format!("its {n} corners enclose no area, so it crosses itself"));
+        self.fan(n);
+        if n <= MOST_CORNERS {
+            let points: Vec<Vec3> = points.collect();
+            if let Some(triangles) = least_area(&points, &|_, _| false)? {
+                self.triangles = triangles;
+            }
         }
-        check_planarity(points.clone(), unit(normal))?;
-        let [u, v] = polygon::projection(normal);
-        self.points.clear();
-        self.points.extend(points.map(|p| [p[u], p[v]]));
-        if polygon::clip_ears(&self.points, &mut self.ring, &mut self.triangles) {
-            Ok(())
-        } else {
-            Err(format!("its {n} corners cross themselves"))
-        }
+        Ok(false)
+    }
+
+    /// The fan from the first corner.
+    fn fan(&mut self, n: usize) {
+        self.triangles.clear();
+        self.triangles.extend((1..n as u32 - 1).map(|k| [0, k, k + 1]));
     }
 }
 
-fn check_planarity(points: impl Iterator<Item = Vec3> + Clone, normal: Vec3) -> std::result::Result<(), String> {
+fn is_plane(points: impl Iterator<Item = Vec3> + Clone, normal: Vec3) -> bool {
     let bounds = Aabb::of(points.clone());
     let largest = bounds.lo.abs().max(bounds.hi.abs());
     let allowed = PLANARITY * bounds.diagonal() + F32_ROUNDING * length(largest);
     let heights = points.map(|p| (p - bounds.center()).dot(normal));
     let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-    if high - low > 2.0 * allowed {
-        return Err(format!("its corners are {:e} off a plane, more than {allowed:e}", 0.5 * (high - low)));
-    }
-    Ok(())
+    high - low <= 2.0 * allowed
 }

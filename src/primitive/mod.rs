@@ -5,6 +5,8 @@ pub(crate) mod contact;
 pub(crate) mod crossing;
 pub(crate) mod cuboid;
 pub(crate) mod ellipsoid;
+pub(crate) mod fan;
+pub mod inside;
 pub(crate) mod noise;
 pub(crate) mod outline;
 pub(crate) mod overlap;

@@ -10,6 +10,20 @@ pub fn are_collinear(a: Vec3, b: Vec3, c: Vec3) -> bool {
     !(turns(0, 1) || turns(1, 2) || turns(2, 0))
 }
 
+/// Whether all points lie on one line, exactly.
+pub fn are_on_a_line(mut points: impl Iterator<Item = Vec3> + Clone) -> bool {
+    let Some(first) = points.next() else { return true };
+    let Some(other) = points.clone().find(|p| *p != first) else { return true };
+    points.all(|p| are_collinear(first, other, p))
+}
+
+/// Whether the diagonals from the first corner cut a polygon into counter-clockwise triangles that do not
+/// overlap: whether it is star-shaped seen from there, as every convex one is.
+pub fn is_cut_by_fan(points: &[[f64; 2]]) -> bool {
+    let side = |k: usize, l: usize| turn(points[0], points[k], points[l]) > 0.0;
+    (2..points.len()).all(|k| side(k - 1, k) && side(1, k))
+}
+
 /// Twice the area vector of a polygon: counter-clockwise around it where the polygon is plane (Newell).
 pub fn area_vector(points: impl Iterator<Item = Vec3> + Clone) -> Vec3 {
     let Some(origin) = points.clone().next() else { return Vec3::ZERO };

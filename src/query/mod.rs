@@ -10,6 +10,7 @@
 mod bounding;
 mod classify;
 mod closest;
+mod diagnose;
 mod fill;
 mod inputs;
 mod intercept;
@@ -19,6 +20,7 @@ pub use crate::geometry::Closest;
 pub use bounding::{Bounding, bounding_box, bounding_sphere};
 pub use classify::{classify_box, classify_boxes};
 pub use closest::closest;
+pub use diagnose::diagnose;
 pub use fill::{FillMode, fill};
 pub use inputs::{Lattice, PointSource, Strided};
 pub use intercept::{Crossing, CrossingForm, Intercept, crossings, intercepts};

@@ -121,19 +121,26 @@ static UNUSED void soup_free(soup *s) {
   free(s->tags);
 }
 
-/* The box [lo, hi]^3, normals outward. */
-static UNUSED soup soup_cube(double lo, double hi) {
-  static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  soup s = soup_new(8, 12);
-  int i, f, c;
+/* The sides of a box with the vertices (lo or hi, lo or hi, lo or hi), x first; z lo, z hi, y lo, y hi, x lo, x hi. */
+static UNUSED const uint32_t cube_sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                 {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+static UNUSED void cube_corners(double lo, double hi, double xyz[24]) {
+  int i, c;
   for (i = 0; i < 8; i++) {
     for (c = 0; c < 3; c++) {
-      s.xyz[3 * i + c] = (i >> c) & 1 ? hi : lo;
+      xyz[3 * i + c] = (i >> c) & 1 ? hi : lo;
     }
   }
+}
+
+/* The box [lo, hi]^3, normals outward. */
+static UNUSED soup soup_cube(double lo, double hi) {
+  soup s = soup_new(8, 12);
+  int f;
+  cube_corners(lo, hi, s.xyz);
   for (f = 0; f < 6; f++) {
-    const uint32_t *q = quads[f];
+    const uint32_t *q = cube_sides[f];
     uint32_t *t = s.indices + 6 * f;
     t[0] = q[0], t[1] = q[1], t[2] = q[2];
     t[3] = q[0], t[4] = q[2], t[5] = q[3];
@@ -173,6 +180,16 @@ static UNUSED soup soup_sphere(double radius, size_t n) {
     }
   }
   return s;
+}
+
+/* The box of six squares. */
+static UNUSED emb_mesh *cube_of_squares(double lo, double hi, const int32_t *tags, const emb_mesh_options *options) {
+  static const size_t offsets[7] = {0, 4, 8, 12, 16, 20, 24};
+  double xyz[24];
+  emb_mesh *mesh = NULL;
+  cube_corners(lo, hi, xyz);
+  CHECK_OK(emb_mesh_from_polygons(8, xyz, 6, offsets, cube_sides[0], tags, options, &mesh));
+  return mesh;
 }
 
 static UNUSED emb_mesh *soup_mesh(const soup *s) {

@@ -172,19 +172,6 @@ CALL(classify_boxes, emb_geom_classify_boxes(a->g, a->count, a->lo, a->hi, a->ru
 CALL(mesh_options_init, emb_mesh_options_init(a->mesh_options, a->size))
 CALL(sdf_options_init, emb_sdf_options_init(a->sdf_options, a->size))
 
-#define RUN(call) VERSIONED(call, run_value, emb_run, "run")
-#define MESH_OPTIONS(call)                                                                             \
-  VERSIONED(call, mesh_options_value, emb_mesh_options, "options"),                                    \
-  UNKNOWN(call, mesh_options_value.value.orient, "options.orient"),                                    \
-  UNKNOWN(call, mesh_options_value.value.format, "options.format"),                                    \
-  UNKNOWN(call, mesh_options_value.value.index_base, "options.index_base"),                            \
-  NOT_FINITE(call, mesh_options_value.value.scale, "scale"),                                           \
-  REAL_ONE(call, mesh_options_value.value.scale, 0.0, "scale"),                                        \
-  REAL_ONE(call, mesh_options_value.value.scale, -2.0, "scale"),                                       \
-  NOT_FINITE(call, mesh_options_value.value.rotation[4], "rotation"),                                  \
-  NOT_FINITE(call, mesh_options_value.value.shift[2], "shift"),                                        \
-  NOT_FINITE(call, mesh_options_value.value.weld_tolerance, "weld_tolerance"),                         \
-  REAL_ONE(call, mesh_options_value.value.weld_tolerance, -1e-9, "weld_tolerance")
 #define POINTS(call, x, y, z)                                                                          \
   NULLED(call, x, "x"), NULLED(call, y, "y"), NULLED(call, z, "z"), BENT(call, x, "x"), BENT(call, z, "z"), \
   SIZED(call, count, SIZE_MAX, "count"), SIZED(call, stride, 0, "stride"), SIZED(call, stride, SIZE_MAX, "stride")
@@ -301,9 +288,9 @@ static const misuse table[] = {
     UNKNOWN(fill, array_value.value.type, "out.type"),
     INTEGER(fill, array_value.value.type, EMB_I32, EMB_ERROR_INVALID_ARGUMENT, "out.type"),
     INTEGER(fill, array_value.value.type, EMB_I8, EMB_ERROR_INVALID_ARGUMENT, "out.type"),
-    {"fill sharing", fill, STEP, 0, NULL, 1, 0, 0, EMB_ERROR_INVALID_ARGUMENT, "out.stride[1]: 2"},
-    {"fill on one", fill, STEP, 0, NULL, 2, 0, 0, EMB_ERROR_INVALID_ARGUMENT, "out.stride[2]: 0"},
-    {"fill beyond", fill, STEP, 0, NULL, 3, 0, 0, EMB_ERROR_INVALID_ARGUMENT, "out.stride[2]"},
+    {"fill sharing", fill, STEP, AT(array_value), NULL, 1, 0, 0, EMB_ERROR_INVALID_ARGUMENT, "out.stride[1]: 2"},
+    {"fill on one", fill, STEP, AT(array_value), NULL, 2, 0, 0, EMB_ERROR_INVALID_ARGUMENT, "out.stride[2]: 0"},
+    {"fill beyond", fill, STEP, AT(array_value), NULL, 3, 0, 0, EMB_ERROR_INVALID_ARGUMENT, "out.stride[2]"},
     HELD(fill, g, &sign_only, EMB_ERROR_UNSUPPORTED, "mode"),
     NULLED(crossings, g, "g"),
     LATTICE(crossings),

@@ -59,6 +59,19 @@ typedef struct misuse {
   POINTED(call, lattice_value.value.x, not_finite, EMB_ERROR_INVALID_ARGUMENT, "lattice.x[1]"),        \
   POINTED(call, lattice_value.value.y, not_finite, EMB_ERROR_INVALID_ARGUMENT, "lattice.y[1]"),        \
   POINTED(call, lattice_value.value.x, zigzag, EMB_ERROR_INVALID_ARGUMENT, "lattice.x[2]")
+#define RUN(call) VERSIONED(call, run_value, emb_run, "run")
+#define MESH_OPTIONS(call)                                                                             \
+  VERSIONED(call, mesh_options_value, emb_mesh_options, "options"),                                    \
+  UNKNOWN(call, mesh_options_value.value.orient, "options.orient"),                                    \
+  UNKNOWN(call, mesh_options_value.value.format, "options.format"),                                    \
+  UNKNOWN(call, mesh_options_value.value.index_base, "options.index_base"),                            \
+  NOT_FINITE(call, mesh_options_value.value.scale, "scale"),                                           \
+  REAL_ONE(call, mesh_options_value.value.scale, 0.0, "scale"),                                        \
+  REAL_ONE(call, mesh_options_value.value.scale, -2.0, "scale"),                                       \
+  NOT_FINITE(call, mesh_options_value.value.rotation[4], "rotation"),                                  \
+  NOT_FINITE(call, mesh_options_value.value.shift[2], "shift"),                                        \
+  NOT_FINITE(call, mesh_options_value.value.weld_tolerance, "weld_tolerance"),                         \
+  REAL_ONE(call, mesh_options_value.value.weld_tolerance, -1e-9, "weld_tolerance")
 
 static const double not_finite[9] = {0, NAN, 2, 3, 4, 5, 6, 7, 8}, zigzag[8] = {0, 2, 1, 3};
 
@@ -95,7 +108,7 @@ static void spoil(arguments *a, const misuse *row) {
       break;
     }
     case STEP:
-      spoil_strides(&a->array_value.value, row->size);
+      spoil_strides((emb_array *)at, row->size);
       break;
   }
 }

@@ -212,7 +212,7 @@ static const emb_geom *hollow_parts[4];
   INTEGER(call, array_value.value.type, EMB_I32, EMB_ERROR_INVALID_ARGUMENT, name ".type"),              \
   INTEGER(call, array_value.value.type, EMB_I8, EMB_ERROR_INVALID_ARGUMENT, name ".type"),               \
   POINTED(call, array_value.value.data, gaps, EMB_ERROR_INVALID_ARGUMENT, name "[2]: NaN"),              \
-  {#call " sharing", call, STEP, 0, NULL, 1, 0, 0, EMB_ERROR_INVALID_ARGUMENT, name ".stride[1]: 2"},    \
+  {#call " sharing", call, STEP, AT(array_value), NULL, 1, 0, 0, EMB_ERROR_INVALID_ARGUMENT, name ".stride[1]: 2"},    \
   SIZED(call, lattice_value.value.n[0], 1, "lattice.n[0]: 1"),                                           \
   SIZED(call, lattice_value.value.n[1], 0, "lattice.n[1]: 0"),                                           \
   POINTED(call, lattice_value.value.x, zero, EMB_ERROR_INVALID_ARGUMENT, "x[1]: 0")
@@ -282,7 +282,7 @@ static const misuse table[] = {
     INTEGER(perlin, octaves, 17, EMB_ERROR_INVALID_ARGUMENT, "octaves: 17"),
 
     OUT(grid), LATTICE(grid), SAMPLES(grid, "values"), SIZED(grid, lattice_value.value.n[2], 1, "lattice.n[2]: 1"),
-    {"grid beyond", grid, STEP, 0, NULL, 3, 0, 0, EMB_ERROR_INVALID_ARGUMENT, "values.stride[2]"},
+    {"grid beyond", grid, STEP, AT(array_value), NULL, 3, 0, 0, EMB_ERROR_INVALID_ARGUMENT, "values.stride[2]"},
     OUT(expression), NULLED(expression, text, "expression"),
     POINTED(expression, text, "", EMB_ERROR_INVALID_ARGUMENT, "expression: the text is empty"),
     POINTED(expression, text, "x +* 2", EMB_ERROR_INVALID_ARGUMENT, "expression"),

@@ -6,11 +6,18 @@
 #![allow(dead_code)]
 
 pub mod bodies;
+mod description;
 pub mod native;
+pub mod obj_files;
 pub mod points;
 pub mod random;
+pub mod same;
 pub mod stl_bytes;
+pub mod vtp_files;
 pub mod winding;
+
+#[allow(unused_imports)]
+pub use description::{Described, described};
 
 use embound::mesh::{Mesh, MeshOptions, Orient};
 

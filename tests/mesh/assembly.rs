@@ -2,6 +2,7 @@
 //! Meshes joined, split and rebuilt, with tags, names and data.
 
 use super::*;
+use common::{Described, described};
 use embound::mesh::{Field, FieldType, JoinTags, SplitBy};
 
 /// Two spheres and a cube, tagged -3 (ball), 7 and 12, with data whose values say where they belong.
@@ -34,35 +35,16 @@ fn field(name: &str, components: usize, values: Vec<f64>) -> Field {
     Field { name: name.into(), kind: FieldType::F64, components, values }
 }
 
-/// Each face: its corners' positions, tag, name of the tag, and data.
-type Described = (Vec<[u64; 3]>, i32, Option<String>, Vec<u64>);
-
-fn describe(mesh: &Mesh) -> Vec<Described> {
-    let topology = mesh.half_edges();
-    let bits = |x: &f64| x.to_bits();
-    (0..topology.face_count() as u32)
-        .map(|f| {
-            let (number, corners) = (topology.input_face(f), topology.corners(f));
-            let positions = corners.iter().map(|v| mesh.vertices()[*v as usize].to_array().map(f64::to_bits)).collect();
-            let tag = mesh.tag(number);
-            let of_vertices =
-                mesh.vertex_fields().iter().flat_map(|d| corners.iter().flat_map(move |v| d.item(*v as usize)));
-            let of_faces = mesh.face_fields().iter().flat_map(|d| d.item(number as usize));
-            (positions, tag, mesh.tag_name(tag).map(str::to_owned), of_vertices.chain(of_faces).map(bits).collect())
-        })
-        .collect()
-}
-
 #[test]
 fn parts_keep_faces_tags_names_and_data() {
     let mesh = scene();
-    let all = describe(&mesh);
+    let all = described(&mesh);
     for (by, wanted) in [(SplitBy::Tag, [-3, 7, 12]), (SplitBy::Component, [12, -3, 7])] {
         let parts = mesh.split(by).unwrap();
         assert_eq!((parts.len(), mesh.part_count(by).unwrap()), (3, 3));
         for (part, tag) in parts.iter().zip(wanted) {
             let same: Vec<Described> = all.iter().filter(|f| f.1 == tag).cloned().collect();
-            assert_eq!(describe(part), same, "{by:?} {tag}");
+            assert_eq!(described(part), same, "{by:?} {tag}");
             assert!(part.report().closed && part.face_count() == same.len());
         }
     }
@@ -73,7 +55,7 @@ fn what_is_split_and_joined_is_the_same_again() {
     let mesh = scene();
     let parts = mesh.split(SplitBy::Component).unwrap();
     let whole = Mesh::join(&parts.iter().collect::<Vec<_>>(), JoinTags::Keep, &MeshOptions::default()).unwrap();
-    assert_eq!(describe(&whole), describe(&mesh));
+    assert_eq!(described(&whole), described(&mesh));
     assert_eq!(whole.report(), mesh.report());
 }
 
@@ -83,7 +65,7 @@ fn tags_are_kept_numbered_anew_or_those_of_the_meshes() {
     let plain = bodies::icosphere(0).mesh();
     let tags = |how| {
         let joined = Mesh::join(&[&a, &plain, &b], how, &options(|o| o.weld_tolerance = -1.0)).unwrap();
-        let mut seen: Vec<(i32, Option<String>)> = describe(&joined).into_iter().map(|f| (f.1, f.2)).collect();
+        let mut seen: Vec<(i32, Option<String>)> = described(&joined).into_iter().map(|f| (f.1, f.2)).collect();
         seen.dedup();
         seen
     };
@@ -125,7 +107,7 @@ fn a_rebuilt_mesh_is_turned_over_and_moved_with_its_data() {
     let flipped = mesh.rebuilt(&options(|o| o.orient = Orient::Flip)).unwrap();
     assert!(close(flipped.report().volume, mesh.report().volume) && flipped.surface().volume < 0.0);
     let back = flipped.rebuilt(&options(|o| o.orient = Orient::Flip)).unwrap();
-    assert_eq!(describe(&back), describe(&mesh));
+    assert_eq!(described(&back), described(&mesh));
     let moved = mesh.rebuilt(&options(|o| (o.scale, o.shift) = (2.0, [1.0, 0.0, 0.0]))).unwrap();
     assert_eq!(moved.bounds().hi.x, 2.0 * mesh.bounds().hi.x + 1.0);
     assert_eq!(moved.vertex_fields(), mesh.vertex_fields());

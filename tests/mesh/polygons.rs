@@ -2,6 +2,7 @@
 //! Faces of more than three corners.
 
 use super::*;
+use embound::primitive::inside::{Inside, contains};
 
 /// A prism over a polygon of the xy plane: caps with all corners, sides of four.
 pub(super) fn prism(outline: &[[f64; 2]], height: f64) -> (Vec<f64>, Vec<usize>, Vec<u32>) {
@@ -125,22 +126,160 @@ fn polygons_in_any_plane_and_at_any_scale_are_cut_alike() {
 }
 
 #[test]
-fn faces_that_are_not_plane_or_cross_themselves_are_named() {
+fn faces_that_are_not_plane_or_cross_themselves_are_counted_and_cut() {
     let ok = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0];
     let quad = |xyz: &[f64], ring: [u32; 4]| {
         let indices = [[0u32, 1, 2].as_slice(), &ring].concat();
-        Mesh::from_polygons(xyz, &[0, 3, 7], &indices, None, &MeshOptions::default())
+        let mesh = Mesh::from_polygons(xyz, &[0, 3, 7], &indices, None, &options(|o| o.orient = Orient::Keep)).unwrap();
+        let cut: Vec<[u32; 3]> = mesh.triangles()[1..].iter().map(|t| t.vertices).collect();
+        (mesh.report().warped_faces, cut)
     };
-    assert_eq!(quad(&ok, [0, 1, 2, 3]).unwrap().triangle_count(), 3);
+    assert_eq!(quad(&ok, [0, 1, 2, 3]), (0, vec![[0, 1, 2], [0, 2, 3]]));
     let mut bent = ok;
     bent[8] = 0.01;
-    assert!(refused(quad(&bent, [0, 1, 2, 3])).starts_with("face 1: its corners are 2.4"));
+    assert_eq!(quad(&bent, [0, 1, 2, 3]), (1, vec![[0, 1, 2], [0, 2, 3]]), "from the first corner");
+    assert_eq!(quad(&bent, [1, 2, 3, 0]), (1, vec![[1, 2, 3], [1, 3, 0]]));
     bent[8] = 1e-6;
-    assert_eq!(quad(&bent, [0, 1, 2, 3]).unwrap().triangle_count(), 3);
-    assert!(refused(quad(&ok, [0, 2, 1, 3])).contains("face 1: its 4 corners enclose no area"));
+    assert_eq!(quad(&bent, [0, 1, 2, 3]).0, 0);
+    // A dart is cut at its inner corner, whichever is first.
+    let dart = [0.0, 0.0, 0.0, 2.0, 1.0, 0.3, 0.0, 2.0, 0.0, 0.5, 1.0, 0.0];
+    for first in 0..4 {
+        let ring = [0, 1, 2, 3].map(|k| (k + first) % 4);
+        let (warped, cut) = quad(&dart, ring);
+        assert!(warped == 1 && cut.iter().all(|t| t.contains(&3) && t.contains(&1)), "{cut:?}");
+    }
+    // Bow ties keep their four sides.
     let mut skew = ok;
     (skew[0], skew[10]) = (-1.0, 3.0);
-    assert_eq!(refused(quad(&skew, [0, 2, 1, 3])), "face 1: its 4 corners cross themselves");
+    for xyz in [ok, skew] {
+        let (warped, cut) = quad(&xyz, [0, 2, 1, 3]);
+        assert_eq!((warped, cut.len()), (1, 2));
+        for side in [[0, 2], [2, 1], [1, 3], [3, 0]] {
+            let has = |t: &&[u32; 3]| (0..3).any(|k| [t[k], t[(k + 1) % 3]] == side);
+            assert_eq!(cut.iter().filter(has).count(), 1, "{side:?} of {cut:?}");
+        }
+    }
+}
+
+#[test]
+fn a_closed_mesh_of_warped_faces_is_closed_in_triangles() {
+    // A ball of quads, none of which is plane, and its twelve sided ends.
+    let (rings, around) = (6, 12);
+    let mut xyz = Vec::new();
+    for i in 0..rings {
+        for j in 0..around {
+            let (a, b) =
+                (0.4 + 2.2 * i as f64 / (rings - 1) as f64, (j as f64 + 0.3 * i as f64) * std::f64::consts::TAU / 12.0);
+            let r = 1.0 + 0.05 * ((i * 7 + j * 5) % 4) as f64;
+            xyz.extend([r * libm::sin(a) * libm::cos(b), r * libm::sin(a) * libm::sin(b), r * libm::cos(a)]);
+        }
+    }
+    let at = |i: u32, j: u32| i * 12 + j % 12;
+    let mut faces: Vec<Vec<u32>> = vec![(0..12).collect(), (0..12).rev().map(|j| at(5, j)).collect()];
+    for i in 0..5 {
+        faces.extend((0..12).map(|j| vec![at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]));
+    }
+    let offsets: Vec<usize> = std::iter::once(0)
+        .chain(faces.iter().scan(0, |n, f| {
+            *n += f.len();
+            Some(*n)
+        }))
+        .collect();
+    let mesh = Mesh::from_polygons(&xyz, &offsets, &faces.concat(), None, &MeshOptions::default()).unwrap();
+    assert!(mesh.report().closed && mesh.report().consistent && mesh.report().warped_faces > 40, "{:?}", mesh.report());
+    let triangles = soup_of(&mesh).mesh();
+    assert!(triangles.report().closed && triangles.report().consistent);
+    assert_eq!(triangles.report().volume, mesh.report().volume);
+    assert_same_values(&mesh, &triangles);
+}
+
+fn assert_same_values(a: &Mesh, b: &Mesh) {
+    use embound::geometry::{Geometry, SdfOptions};
+    let of = |m: &Mesh| Geometry::from_mesh(m, &SdfOptions::default(), &embound::parallel::Run::default()).unwrap();
+    let (g, h) = (of(a), of(b));
+    let mut random = Random(2);
+    for _ in 0..500 {
+        let p = Vec3::from_array(random.point([-2.0; 3], [2.0; 3]));
+        assert_eq!(g.value(p).to_bits(), h.value(p).to_bits(), "{p}");
+    }
+}
+
+#[test]
+fn a_dodecahedron_of_pentagons_has_the_values_of_its_triangles() {
+    let g = (1.0 + 5f64.sqrt()) / 2.0;
+    let mut corners: Vec<Vec3> =
+        (0..8).map(|k| Vec3::from_array([1, 2, 4].map(|b| if k & b == 0 { -1.0 } else { 1.0 }))).collect();
+    for (s, t) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+        corners.extend([Vec3::new(0.0, s / g, t * g), Vec3::new(s / g, t * g, 0.0), Vec3::new(t * g, 0.0, s / g)]);
+    }
+    // The five corners farthest out along each of the twelve face normals, sorted round it.
+    let mut faces: Vec<u32> = Vec::new();
+    for (s, t) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+        for n in [Vec3::new(0.0, s * g, t), Vec3::new(s * g, t, 0.0), Vec3::new(t, 0.0, s * g)] {
+            let mut ring: Vec<u32> = (0..20).collect();
+            ring.sort_by(|a, b| corners[*b as usize].dot(n).total_cmp(&corners[*a as usize].dot(n)));
+            ring.truncate(5);
+            let (u, v) = (n.any_orthonormal_vector(), n.normalize().cross(n.any_orthonormal_vector()));
+            let angle = |k: &u32| libm::atan2(corners[*k as usize].dot(v), corners[*k as usize].dot(u));
+            ring.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+            faces.extend(ring);
+        }
+    }
+    let xyz: Vec<f64> = corners.iter().flat_map(|c| c.to_array()).collect();
+    let offsets: Vec<usize> = (0..=12).map(|k| 5 * k).collect();
+    let mesh = Mesh::from_polygons(&xyz, &offsets, &faces, None, &MeshOptions::default()).unwrap();
+    let r = mesh.report();
+    assert_eq!((r.faces, r.triangles, r.vertices, r.closed, r.warped_faces), (12, 36, 20, true, 0));
+    // The volume of a dodecahedron of edge 2 / g.
+    let edge = 2.0 / g;
+    assert!(close(r.volume, (15.0 + 7.0 * 5f64.sqrt()) / 4.0 * edge * edge * edge), "{}", r.volume);
+    assert_same_values(&mesh, &soup_of(&mesh).mesh());
+    for f in 0..12 {
+        let centre = mesh.measure(embound::mesh::Element::Face(f)).centroid;
+        for how in [Inside::Crossing, Inside::Winding, Inside::Angle] {
+            assert!(
+                mesh.face_contains(f, centre * 1.1, how)
+                    && !mesh.face_contains(f, centre * 1.1 + 5.0 * centre.any_orthonormal_vector(), how)
+            );
+        }
+    }
+}
+
+/// The three ways agree off the boundary where a polygon covers nothing twice, and with the brute sum over triangles.
+#[test]
+fn points_in_polygons_are_told_three_ways() {
+    let ways = [Inside::Crossing, Inside::Winding, Inside::Angle];
+    let told = |polygon: &[[f64; 2]], p: [f64; 2]| ways.map(|how| contains(polygon.iter().copied(), p, how));
+    let mut random = Random(31);
+    for flip in [false, true] {
+        let mut l = L_SHAPE.to_vec();
+        if flip {
+            l.reverse();
+        }
+        for _ in 0..2000 {
+            let [x, y, _] = random.point([-1.0; 3], [4.0; 3]);
+            let wanted = x > 0.0 && y > 0.0 && ((x < 3.0 && y < 1.0) || (x < 1.0 && y < 3.0));
+            assert_eq!(told(&l, [x, y]), [wanted; 3], "{x} {y}");
+        }
+    }
+    // A pentagram: its middle is wound around twice.
+    let star: Vec<[f64; 2]> =
+        (0..5).map(|k| k as f64 * 0.8 * std::f64::consts::PI).map(|a| [libm::cos(a), libm::sin(a)]).collect();
+    assert_eq!(told(&star, [0.01, 0.02]), [false, true, true]);
+    assert_eq!(told(&star, [0.7, 0.01]), [true; 3]);
+    assert_eq!(told(&star, [-0.9, 0.3]), [false; 3]);
+    assert_eq!(told(&star[..2], [0.0, 0.0]), [false; 3]);
+    // Of squares that tile the plane each point, on whatever side or corner, lies in exactly one.
+    for how in [Inside::Crossing, Inside::Winding] {
+        for p in [[1.0, 0.5], [0.5, 1.0], [1.0, 1.0], [0.0, 0.0], [0.3, 0.3]] {
+            let square =
+                |i: i32, j: i32| [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[x, y]| [f64::from(x + i), f64::from(y + j)]);
+            let holding = (-1..3)
+                .flat_map(|i| (-1..3).map(move |j| square(i, j)))
+                .filter(|s| contains(s.iter().copied(), p, how));
+            assert_eq!(holding.count(), 1, "{p:?}");
+        }
+    }
 }
 
 #[test]

@@ -20,7 +20,7 @@ impl Surface {
         let mut surface = assemble(mesh, sign)?;
         if surface.sign == Sign::Pseudonormal {
             surface.distrust_unclear_normals(mesh);
-            surface.check_embedding(options.sign, run)?;
+            surface.check_embedding(mesh, options.sign, run)?;
         }
         if options.accelerator == Accelerator::None {
             surface.tree = None;

@@ -6,19 +6,15 @@
 //! misses an edge that pokes through a face between two vertices, and needs fewer crossing counts: one a
 //! piece.
 
-use super::{Sign, Surface};
-use crate::error::{Error, Result, Status};
+use super::{NO_TRIANGLE, Sign, Surface};
+use crate::bvh::Pairs;
+use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::SignMethod;
-use crate::math::{Aabb, Vec3};
-use crate::mesh::{Mesh, Sets};
+use crate::geometry::contacts::Contacts;
+use crate::math::Vec3;
+use crate::mesh::{HalfEdges, Mesh, Sets};
 use crate::parallel::Run;
-use crate::primitive::contact::{folded, runs_into, segment_touches};
-use crate::primitive::triangle::{V3, nearest};
 use std::collections::HashSet;
-use std::sync::atomic::{AtomicU64, Ordering};
-
-/// Triangles checked per chunk of work.
-const CHUNK: usize = 1024;
 
 impl Surface {
     /// Zeroes the pseudonormals that say nothing of the surface beyond them, and leaves those places to
@@ -54,9 +50,9 @@ impl Surface {
     }
 
     /// Hands the sign to the crossings where the surface is not embedded.
-    pub(super) fn check_embedding(&mut self, asked: SignMethod, run: &Run) -> Result<()> {
-        let fault = match self.first_contact(run)? {
-            Some((t, s)) => {
+    pub(super) fn check_embedding(&mut self, mesh: &Mesh, asked: SignMethod, run: &Run) -> Result<()> {
+        let fault = match self.contact(mesh, run)? {
+            Some([t, s]) => {
                 format!(
                     "faces {} and {} meet, but for rounding, where they share no edge or vertex",
                     self.face(t),
@@ -76,71 +72,26 @@ impl Surface {
         Ok(())
     }
 
-    /// The lowest pair of triangles that meet where they should not.
-    fn first_contact(&self, run: &Run) -> Result<Option<(u32, u32)>> {
-        let least = AtomicU64::new(u64::MAX);
-        run.for_each_chunk(self.triangles.len().div_ceil(CHUNK), &|chunk| {
-            for t in chunk * CHUNK..self.triangles.len().min((chunk + 1) * CHUNK) {
-                if let Some(s) = self.contact_of(t as u32) {
-                    least.fetch_min((t as u64) << 32 | u64::from(s), Ordering::Relaxed);
-                }
-            }
-            Ok(())
-        })?;
-        let least = least.into_inner();
-        Ok((least != u64::MAX).then_some(((least >> 32) as u32, least as u32)))
-    }
-
-    /// The lowest triangle that an edge of `t` meets where it should not. Each edge is looked at from the
-    /// triangle in which it rises to the higher vertex. A triangle without area is represented by its
-    /// edges, which its neighbours share.
-    fn contact_of(&self, t: u32) -> Option<u32> {
-        let corners = self.corners(t);
-        let vertex = self.triangles[t as usize].vertex;
-        let mut found: Option<u32> = None;
-        for k in (0..3).filter(|&k| vertex[k] < vertex[(k + 1) % 3]) {
-            let edge = Aabb::of([corners[k], corners[(k + 1) % 3]]);
-            let edge = Aabb::new(edge.lo - self.rounding(), edge.hi + self.rounding());
-            self.overlapping(edge, |s| {
-                let is_better = s != t && found.is_none_or(|f| s < f);
-                if is_better && self.touches(t, k, s, edge) {
-                    found = Some(s);
-                }
-            });
+    /// A pair of triangles that meet where they should not: of all such pairs the same one in every run.
+    fn contact(&self, mesh: &Mesh, run: &Run) -> Result<Option<[u32; 2]>> {
+        let Some(tree) = &self.tree else { return Ok(None) };
+        let of_triangles = HalfEdges::of_pieces(mesh)?;
+        let topology = of_triangles.as_ref().unwrap_or(mesh.half_edges());
+        let contacts = Contacts::new(&self.vertices, mesh.triangles(), topology, self.rounding(), false)?;
+        let mut order = try_with_capacity("triangles", self.triangles.len())?;
+        let mut start = try_with_capacity("leaves", self.blocks.len() + 1)?;
+        start.push(0);
+        for block in &self.blocks {
+            order.extend(block.triangle.iter().filter(|t| **t != NO_TRIANGLE));
+            start.push(order.len() as u32);
         }
-        found
+        let pairs = Pairs::new(tree, &order, &start, |t| contacts.bounds(t), &contacts.groups()?)?;
+        Ok(contacts.find(&pairs, 1, run)?.pairs.first().copied())
     }
 
     /// Walls thinner than this have one side to a point beside them: either of their faces may be the nearest.
     fn rounding(&self) -> f64 {
         16.0 * f64::EPSILON * self.diagonal
-    }
-
-    fn is_near(&self, p: Vec3, triangle: u32) -> bool {
-        let foot = nearest(&self.prepared(triangle), V3::from_vec(p));
-        foot.squared <= self.rounding() * self.rounding()
-    }
-
-    /// Whether edge `k` of triangle `t` meets triangle `s` beyond what they share. `edge` is the box around it.
-    fn touches(&self, t: u32, k: usize, s: u32, edge: Aabb) -> bool {
-        let other = self.corners(s);
-        if Aabb::of(other).intersection(edge).is_empty() || self.normal(s) == Vec3::ZERO {
-            return false;
-        }
-        let (corners, vertex) = (self.corners(t), self.triangles[t as usize].vertex);
-        let (i, j) = (k, (k + 1) % 3);
-        let of_other = self.triangles[s as usize].vertex;
-        let at = |v: u32| of_other.iter().position(|&w| w == v);
-        let from = |first: usize| [other[first], other[(first + 1) % 3], other[(first + 2) % 3]];
-        match (at(vertex[i]), at(vertex[j])) {
-            (None, None) => {
-                let is_near = |k: usize| self.is_near(corners[k], s);
-                segment_touches(corners[i], corners[j], other) || is_near(i) || is_near(j)
-            }
-            (Some(shared), None) => runs_into(corners[j], from(shared)),
-            (None, Some(shared)) => runs_into(corners[i], from(shared)),
-            (Some(_), Some(end)) => folded(corners[(k + 2) % 3], from(end)),
-        }
     }
 
     /// The first triangle of the first connected piece whose two sides are not outside and inside.

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Wavefront OBJ.
+//! Wavefront OBJ (Wavefront Technologies, Advanced Visualizer manual, appendix B1): vertices, with or without
+//! colours, and polygons. Texture coordinates, normals, lines, points, curves and surfaces are skipped.
 
-use crate::error::{Error, Result};
-use crate::mesh::{Input, Mesh};
+mod read;
+mod tags;
+mod write;
 
-/// Reads a file.
-pub(super) fn read(_bytes: &[u8]) -> Result<Input> {
-    Err(Error::unsupported("not in this version"))
-}
-
-/// The bytes of a file with the surface as it stands.
-pub(super) fn write(_mesh: &Mesh) -> Result<Vec<u8>> {
-    Err(Error::unsupported("not in this version"))
-}
+pub(super) use read::read;
+pub(super) use write::write;

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! PLY (Turk 1994), ASCII and binary.
+//! PLY (Turk 1994), ASCII and binary of either byte order. Scalar properties of vertices and faces beyond x, y
+//! and z become named data; an integer face property `tag` becomes the tags.
 
-use crate::error::{Error, Result};
-use crate::mesh::{Input, Mesh};
+mod header;
+mod numbers;
+mod read;
+mod write;
 
-/// Reads a file.
-pub(super) fn read(_bytes: &[u8]) -> Result<Input> {
-    Err(Error::unsupported("not in this version"))
-}
-
-/// The bytes of a file with the surface as it stands.
-pub(super) fn write(_mesh: &Mesh) -> Result<Vec<u8>> {
-    Err(Error::unsupported("not in this version"))
-}
+pub(super) use read::read;
+pub(super) use write::write;

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! XML VTK PolyData.
+//! VTK's XML PolyData (VTK User's Guide, "VTK File Formats"): data as text, base64 or appended, compressed by
+//! zlib or not, in either byte order.
 
-use crate::error::{Error, Result};
-use crate::mesh::Input;
+mod array;
+mod base64;
+mod blocks;
+pub(super) mod cells;
+mod document;
+mod fields;
+pub(super) mod number;
+pub(super) mod read;
+mod write;
+mod xml;
 
-/// Reads a file.
-pub(super) fn read(_bytes: &[u8]) -> Result<Input> {
-    Err(Error::unsupported("not in this version"))
-}
+pub(super) use read::read;
+pub(super) use write::write;

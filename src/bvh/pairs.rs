@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! All pairs of primitives whose boxes meet: each leaf against itself and those after it. Boxes are tested
+//! eight at once in f32, rounded outward, so that no pair is missed and a few come for nothing.
+//!
+//! Primitives may belong to groups whose members are of no interest to each other, although their boxes all
+//! meet (the faces round one vertex): two subtrees of one group are passed over as a whole.
+
+use super::{LEAF, Tree};
+use crate::error::{Error, Result, try_with_capacity};
+use crate::math::Aabb;
+use crate::simd::lanes::WIDTH;
+use crate::simd::{Kernel, dispatch};
+
+/// In no group.
+pub(crate) const ALONE: u32 = u32::MAX;
+
+/// The boxes of a leaf side by side; unused lanes are empty.
+#[derive(Clone, Copy)]
+#[repr(C, align(32))]
+struct Boxes {
+    lo: [[f32; WIDTH]; 3],
+    hi: [[f32; WIDTH]; 3],
+}
+
+impl Boxes {
+    const EMPTY: Boxes = Boxes { lo: [[f32::INFINITY; WIDTH]; 3], hi: [[f32::NEG_INFINITY; WIDTH]; 3] };
+
+    #[inline(always)]
+    fn lane(&self, k: usize) -> ([f32; 3], [f32; 3]) {
+        ([self.lo[0][k], self.lo[1][k], self.lo[2][k]], [self.hi[0][k], self.hi[1][k], self.hi[2][k]])
+    }
+
+    /// The box around all.
+    fn hull(&self) -> ([f32; 3], [f32; 3]) {
+        (
+            self.lo.map(|lanes| lanes.into_iter().fold(f32::INFINITY, f32::min)),
+            self.hi.map(|lanes| lanes.into_iter().fold(f32::NEG_INFINITY, f32::max)),
+        )
+    }
+}
+
+/// A bit for each of eight boxes that meets one.
+#[inline(always)]
+fn meeting(lo: &[[f32; WIDTH]; 3], hi: &[[f32; WIDTH]; 3], (low, high): ([f32; 3], [f32; 3])) -> u32 {
+    let mut bits = [0u32; WIDTH];
+    for k in 0..WIDTH {
+        let x = lo[0][k] <= high[0] && low[0] <= hi[0][k];
+        let y = lo[1][k] <= high[1] && low[1] <= hi[1][k];
+        let z = lo[2][k] <= high[2] && low[2] <= hi[2][k];
+        bits[k] = if x & y & z { 1 << k } else { 0 };
+    }
+    bits.iter().fold(0, |all, bit| all | bit)
+}
+
+/// What a search for pairs needs beside the tree.
+pub(crate) struct Pairs<'a> {
+    tree: &'a Tree,
+    /// Primitives, leaf after leaf, and where each leaf begins.
+    order: &'a [u32],
+    start: &'a [u32],
+    boxes: Vec<Boxes>,
+    /// The last leaf below each node.
+    last_leaf: Vec<u32>,
+    /// The group of all primitives of a leaf or below a node; none at all where there are no groups.
+    group_of_leaf: Vec<u32>,
+    group_of_node: Vec<u32>,
+}
+
+impl<'a> Pairs<'a> {
+    /// `order` and `start` are those of [`super::Leaves`], `bounds` the box of each primitive, at least as large
+    /// as the one that the tree was built with, `groups` the group of each, or nothing at all.
+    pub fn new(
+        tree: &'a Tree,
+        order: &'a [u32],
+        start: &'a [u32],
+        bounds: impl Fn(u32) -> Aabb,
+        groups: &[u32],
+    ) -> Result<Pairs<'a>> {
+        let mut boxes = try_with_capacity("boxes", start.len())?;
+        for leaf in start.windows(2) {
+            let mut lanes = Boxes::EMPTY;
+            for (k, &primitive) in order[leaf[0] as usize..leaf[1] as usize].iter().enumerate() {
+                let (lo, hi) = tree.relative(bounds(primitive));
+                for axis in 0..3 {
+                    lanes.lo[axis][k] = lo[axis];
+                    lanes.hi[axis][k] = hi[axis];
+                }
+            }
+            boxes.push(lanes);
+        }
+        let (last_leaf, group_of_leaf, group_of_node) = (Vec::new(), Vec::new(), Vec::new());
+        let mut pairs = Pairs { tree, order, start, boxes, last_leaf, group_of_leaf, group_of_node };
+        pairs.number_leaves()?;
+        if !groups.is_empty() {
+            pairs.gather_groups(groups)?;
+        }
+        Ok(pairs)
+    }
+
+    fn members(&self, leaf: usize) -> &'a [u32] {
+        &self.order[self.start[leaf] as usize..self.start[leaf + 1] as usize]
+    }
+
+    /// How many leaves.
+    pub fn leaf_count(&self) -> usize {
+        self.boxes.len()
+    }
+
+    /// Children come after their parent, so from the end they are known first.
+    fn number_leaves(&mut self) -> Result<()> {
+        self.last_leaf = try_with_capacity("nodes", self.tree.nodes.len())?;
+        self.last_leaf.resize(self.tree.nodes.len(), 0);
+        for (k, node) in self.tree.nodes.iter().enumerate().rev() {
+            let last = |&child: &u32| match child & LEAF {
+                0 => self.last_leaf[child as usize],
+                _ => child & !LEAF,
+            };
+            let children = node.child.iter().filter(|child| **child != u32::MAX);
+            self.last_leaf[k] = children.map(last).max().unwrap_or(0);
+        }
+        Ok(())
+    }
+
+    fn gather_groups(&mut self, groups: &[u32]) -> Result<()> {
+        self.group_of_leaf = try_with_capacity("leaves", self.leaf_count())?;
+        for leaf in 0..self.leaf_count() {
+            let group = common(self.members(leaf).iter().map(|p| groups[*p as usize]));
+            self.group_of_leaf.push(group);
+        }
+        self.group_of_node = try_with_capacity("nodes", self.tree.nodes.len())?;
+        self.group_of_node.resize(self.tree.nodes.len(), ALONE);
+        for k in (0..self.tree.nodes.len()).rev() {
+            let children = self.tree.nodes[k].child.into_iter().filter(|child| *child != u32::MAX);
+            self.group_of_node[k] = common(children.map(|child| self.group(child)));
+        }
+        Ok(())
+    }
+
+    fn group(&self, child: u32) -> u32 {
+        match child & LEAF {
+            0 => self.group_of_node[child as usize],
+            _ => self.group_of_leaf[(child & !LEAF) as usize],
+        }
+    }
+
+    /// Adds to `out` every pair of primitives whose boxes meet, one of them in `leaf`, the other in it or a later
+    /// one. `stack` is scratch.
+    pub fn of_leaf(&self, leaf: usize, stack: &mut Vec<u32>, out: &mut Vec<[u32; 2]>) -> Result<()> {
+        dispatch(OfLeaf { pairs: self, leaf, stack, out })
+    }
+}
+
+/// The group of all, or [`ALONE`].
+fn common(groups: impl Iterator<Item = u32>) -> u32 {
+    let mut all = None;
+    for group in groups {
+        if *all.get_or_insert(group) != group {
+            return ALONE;
+        }
+    }
+    all.unwrap_or(ALONE)
+}
+
+struct OfLeaf<'a, 'b> {
+    pairs: &'b Pairs<'a>,
+    leaf: usize,
+    stack: &'b mut Vec<u32>,
+    out: &'b mut Vec<[u32; 2]>,
+}
+
+impl Kernel for OfLeaf<'_, '_> {
+    type Output = Result<()>;
+
+    #[inline(always)]
+    fn run(self) -> Result<()> {
+        let OfLeaf { pairs, leaf, stack, out } = self;
+        let hull = pairs.boxes[leaf].hull();
+        let group = if pairs.group_of_leaf.is_empty() { ALONE } else { pairs.group_of_leaf[leaf] };
+        stack.clear();
+        stack.push(0);
+        while let Some(at) = stack.pop() {
+            let node = &pairs.tree.nodes[at as usize];
+            let mut near = meeting(&node.lo, &node.hi, hull);
+            while near != 0 {
+                let child = node.child[near.trailing_zeros() as usize & (WIDTH - 1)];
+                near &= near - 1;
+                if child == u32::MAX || (group != ALONE && pairs.group(child) == group) {
+                    continue;
+                }
+                if child & LEAF != 0 {
+                    let other = (child & !LEAF) as usize;
+                    if other >= leaf {
+                        between(pairs, leaf, other, out)?;
+                    }
+                } else if pairs.last_leaf[child as usize] as usize >= leaf {
+                    stack.push(child);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The pairs of two leaves, or of one.
+#[inline(always)]
+fn between(pairs: &Pairs, leaf: usize, other: usize, out: &mut Vec<[u32; 2]>) -> Result<()> {
+    let (ours, theirs) = (pairs.members(leaf), pairs.members(other));
+    let room = WIDTH * WIDTH;
+    out.try_reserve(room).map_err(|_| Error::memory("pairs", out.len() + room))?;
+    let (lanes, boxes) = (&pairs.boxes[leaf], &pairs.boxes[other]);
+    for (i, &a) in ours.iter().enumerate() {
+        let mut bits = meeting(&boxes.lo, &boxes.hi, lanes.lane(i));
+        if leaf == other {
+            // Each pair once, and nothing with itself.
+            bits &= !0u32 << (i + 1);
+        }
+        while bits != 0 {
+            let k = bits.trailing_zeros() as usize;
+            bits &= bits - 1;
+            if let Some(&b) = theirs.get(k) {
+                out.push([a, b]);
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Where a surface meets itself beyond the edges and vertices that its triangles share.
+//!
+//! Triangles that share a vertex are looked at vertex by vertex (`star.rs`): most stars are proved clear at
+//! once. All others are pairs whose boxes meet, which the hierarchy finds; most of these are proved clear by an
+//! axis. What is left is decided by exact predicates. Nothing is quadratic in the faces at a vertex (`hub.rs`).
+
+mod collect;
+mod hub;
+mod star;
+
+use crate::bvh::{ALONE, Pairs};
+use crate::error::{Error, Result, try_with_capacity};
+use crate::math::{Aabb, Vec3};
+use crate::mesh::{HalfEdges, Triangle};
+use crate::parallel::Run;
+use crate::primitive::contact::{are_clear, folded, meet_beyond_corner, triangles_touch};
+use crate::primitive::polygon::are_collinear;
+use crate::primitive::triangle::{Prepared, V3, nearest};
+use collect::Collector;
+
+/// Vertices and leaves of a chunk of work.
+const VERTICES: usize = 4096;
+const LEAVES: usize = 256;
+
+/// Triangles of at least so many faces at a vertex are a group of the hierarchy.
+const GROUP: usize = 64;
+
+/// The surface to look at. No two triangles have the same three vertices unless their faces overlap.
+pub(crate) struct Contacts<'a> {
+    vertices: &'a [Vec3],
+    triangles: &'a [Triangle],
+    /// The topology of the triangles: its face k is triangle k.
+    topology: &'a HalfEdges,
+    /// Triangles without area, which are left out: the edges that they consist of are their neighbours'.
+    flat: Vec<bool>,
+    /// Triangles that share no vertex or one alone also count as meeting where a corner of one, other than that
+    /// vertex, is not farther than this from the other.
+    slack: f64,
+    /// Whether the triangles that one face was cut into may meet each other.
+    faces_alone: bool,
+}
+
+/// What was found: pairs of triangles that meet, and whether these are all.
+pub(crate) struct Found {
+    pub pairs: Vec<[u32; 2]>,
+    pub complete: bool,
+}
+
+impl<'a> Contacts<'a> {
+    /// `faces_alone`: the triangles that one face was cut into do not count against each other.
+    pub fn new(
+        vertices: &'a [Vec3],
+        triangles: &'a [Triangle],
+        topology: &'a HalfEdges,
+        slack: f64,
+        faces_alone: bool,
+    ) -> Result<Self> {
+        let mut flat = try_with_capacity("triangles", triangles.len())?;
+        flat.extend(triangles.iter().map(|t| {
+            let [a, b, c] = t.corners(vertices);
+            are_collinear(a, b, c)
+        }));
+        Ok(Contacts { vertices, triangles, topology, flat, slack, faces_alone })
+    }
+
+    /// The box of a triangle, with room for the slack.
+    pub fn bounds(&self, t: u32) -> Aabb {
+        let b = Aabb::of(self.corners(t));
+        Aabb::new(b.lo - self.slack, b.hi + self.slack)
+    }
+
+    /// The vertex that each triangle is grouped by; nothing at all where no vertex has many triangles.
+    pub fn groups(&self) -> Result<Vec<u32>> {
+        let degree = |v: &u32| self.topology.outgoing(*v).len();
+        if (0..self.vertices.len() as u32).all(|v| degree(&v) < GROUP) {
+            return Ok(Vec::new());
+        }
+        let mut groups = try_with_capacity("groups", self.triangles.len())?;
+        groups.extend(self.triangles.iter().map(|t| {
+            let most = t.vertices.iter().max_by_key(|v| (degree(v), u32::MAX - **v));
+            most.filter(|v| degree(v) >= GROUP).copied().unwrap_or(ALONE)
+        }));
+        Ok(groups)
+    }
+
+    /// Pairs of triangles that meet: all of them, or the first `limit` that are found. The
+    /// order of the search, and so what is found, does not depend on the run.
+    pub fn find(&self, pairs: &Pairs, limit: usize, run: &Run) -> Result<Found> {
+        let stars = self.vertices.len().div_ceil(VERTICES);
+        let chunks = stars + pairs.leaf_count().div_ceil(LEAVES);
+        let collector = Collector::new(chunks, limit)?;
+        run.for_each_chunk(chunks, &|chunk| {
+            let mut found = collector.chunk(chunk);
+            match chunk.checked_sub(stars) {
+                None => {
+                    let to = self.vertices.len().min((chunk + 1) * VERTICES);
+                    self.in_stars(chunk * VERTICES..to, &mut found)?;
+                }
+                Some(leaves) => {
+                    let to = pairs.leaf_count().min((leaves + 1) * LEAVES);
+                    self.among_leaves(pairs, leaves * LEAVES..to, &mut found)?;
+                }
+            }
+            collector.hand_in(found)
+        })?;
+        Ok(collector.finish())
+    }
+
+    /// Pairs that share no vertex.
+    fn among_leaves(&self, pairs: &Pairs, leaves: std::ops::Range<usize>, found: &mut collect::Chunk) -> Result<()> {
+        let (mut stack, mut near) = (Vec::new(), Vec::new());
+        for leaf in leaves {
+            near.clear();
+            pairs.of_leaf(leaf, &mut stack, &mut near)?;
+            for &[s, t] in &near {
+                if self.touch_apart(s, t) {
+                    found.add([s, t])?;
+                }
+            }
+            if found.is_enough() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn corners(&self, t: u32) -> [Vec3; 3] {
+        self.triangles[t as usize].corners(self.vertices)
+    }
+
+    /// Whether two triangles are of any interest to each other.
+    fn may_meet(&self, s: u32, t: u32) -> bool {
+        let same_face = self.triangles[s as usize].face == self.triangles[t as usize].face;
+        !(self.flat[s as usize] || self.flat[t as usize] || self.faces_alone && same_face)
+    }
+
+    /// Whether two triangles that share no vertex meet; false where they share one.
+    fn touch_apart(&self, s: u32, t: u32) -> bool {
+        let (u, v) = (self.triangles[s as usize].vertices, self.triangles[t as usize].vertices);
+        if u.iter().any(|a| v.contains(a)) || !self.may_meet(s, t) {
+            return false;
+        }
+        let (c, d) = (self.corners(s), self.corners(t));
+        if are_clear(&c, &d, self.slack) {
+            return false;
+        }
+        triangles_touch(c, d) || self.is_near(&c, d) || self.is_near(&d, c)
+    }
+
+    /// Whether two triangles that share vertices meet beyond them, where `corner` is the lowest that they share.
+    fn touch_at(&self, corner: u32, s: u32, t: u32) -> bool {
+        if !self.may_meet(s, t) {
+            return false;
+        }
+        let (u, v) = (self.triangles[s as usize].vertices, self.triangles[t as usize].vertices);
+        let is_shared = |a: &u32| v.contains(a);
+        if u.iter().any(|a| *a < corner && is_shared(a)) {
+            return false;
+        }
+        let from = |v: [u32; 3], first: u32| {
+            let k = v.iter().position(|a| *a == first).unwrap_or(0);
+            [v[k], v[(k + 1) % 3], v[(k + 2) % 3]].map(|a| self.vertices[a as usize])
+        };
+        let (c, d) = (from(u, corner), from(v, corner));
+        match u.iter().filter(|a| is_shared(a)).count() {
+            1 => meet_beyond_corner(c, d) || self.is_near(&c[1..], d) || self.is_near(&d[1..], c),
+            2 => {
+                let apart = v.iter().find(|a| !u.contains(a)).unwrap_or(&v[0]);
+                let own = u.iter().find(|a| !is_shared(a)).unwrap_or(&u[0]);
+                // Its edge opposite to the third corner comes first.
+                let [third, a, b] = from(u, *own);
+                folded(self.vertices[*apart as usize], [a, b, third])
+            }
+            _ => true,
+        }
+    }
+
+    /// Whether one of the points is not farther than the slack from a triangle.
+    fn is_near(&self, points: &[Vec3], triangle: [Vec3; 3]) -> bool {
+        if self.slack == 0.0 {
+            return false;
+        }
+        let prepared = Prepared::new(triangle);
+        points.iter().any(|p| nearest(&prepared, V3::from_vec(*p)).squared <= self.slack * self.slack)
+    }
+}
+
+/// Room for some more pairs.
+fn reserve(pairs: &mut Vec<[u32; 2]>, more: usize) -> Result<()> {
+    pairs.try_reserve(more).map_err(|_| Error::memory("pairs", pairs.len() + more))
+}

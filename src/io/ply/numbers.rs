@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The numbers of a PLY file one after another, in any of its encodings.
+
+use super::header::{Encoding, size};
+use crate::error::{Error, Result};
+use crate::io::words::Words;
+use crate::mesh::FieldType;
+
+pub(super) enum Numbers<'a> {
+    Text(Words<'a>),
+    Binary { bytes: &'a [u8], at: usize, big_endian: bool },
+}
+
+impl<'a> Numbers<'a> {
+    /// Those from `start` on; `line` is that of the last line before it.
+    pub fn new(bytes: &'a [u8], start: usize, line: usize, encoding: Encoding) -> Numbers<'a> {
+        match encoding {
+            Encoding::Ascii => Numbers::Text(Words::from_line(&bytes[start..], line + 1)),
+            _ => Numbers::Binary { bytes, at: start, big_endian: encoding == Encoding::BigEndian },
+        }
+    }
+
+    /// Bytes not read yet.
+    pub fn left(&self) -> usize {
+        match self {
+            Numbers::Text(words) => words.left(),
+            Numbers::Binary { bytes, at, .. } => bytes.len() - at,
+        }
+    }
+
+    /// Where the last number was, for messages.
+    pub fn place(&self) -> String {
+        match self {
+            Numbers::Text(words) => format!("line {}", words.line()),
+            Numbers::Binary { at, .. } => format!("offset {at}"),
+        }
+    }
+
+    /// The next number.
+    pub fn next(&mut self, t: FieldType) -> Result<f64> {
+        match self {
+            Numbers::Text(words) => {
+                let word = words.next();
+                words.parsed(word, "a number")
+            }
+            Numbers::Binary { bytes, at, big_endian } => {
+                let n = size(t);
+                let Some(raw) = bytes.get(*at..*at + n) else {
+                    return Err(Error::parse(format!("offset {}: the file ends within a number", bytes.len())));
+                };
+                *at += n;
+                let mut own = [0; 8];
+                own[..n].copy_from_slice(raw);
+                if *big_endian {
+                    own[..n].reverse();
+                }
+                Ok(value(own, t))
+            }
+        }
+    }
+}
+
+/// The number in the first bytes, which are little-endian.
+fn value(b: [u8; 8], t: FieldType) -> f64 {
+    match t {
+        FieldType::I8 => f64::from(b[0] as i8),
+        FieldType::U8 => f64::from(b[0]),
+        FieldType::I16 => f64::from(i16::from_le_bytes([b[0], b[1]])),
+        FieldType::U16 => f64::from(u16::from_le_bytes([b[0], b[1]])),
+        FieldType::I32 => f64::from(i32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+        FieldType::U32 => f64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+        FieldType::F32 => f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+        FieldType::I64 => i64::from_le_bytes(b) as f64,
+        FieldType::F64 => f64::from_le_bytes(b),
+    }
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! One array of a VTK XML file: what its tag says, and its values.
+
+use super::base64::Base64;
+use super::blocks::Source;
+use super::document::{Document, Section};
+use super::number::Number;
+use super::xml::{Tag, shortened, wrong};
+use crate::error::{Error, Result, try_with_capacity};
+use crate::io::text::one_line;
+use crate::io::words::Words;
+
+/// An array, not decoded yet.
+pub(super) struct Array<'a> {
+    pub tag: Tag<'a>,
+    /// The text after the tag, and where it is in the file.
+    pub body: &'a [u8],
+    pub body_at: usize,
+    pub section: Section,
+}
+
+/// Where the values are.
+enum Form<'a> {
+    Text,
+    Bytes(Source<'a>),
+}
+
+impl<'a> Array<'a> {
+    /// Its name; empty where it has none.
+    pub fn name(&self) -> Result<String> {
+        Ok(one_line(&self.tag.attribute("Name")?.unwrap_or_default()))
+    }
+
+    /// Numbers an item.
+    pub fn components(&self) -> Result<usize> {
+        match self.tag.attribute("NumberOfComponents")? {
+            None => Ok(1),
+            Some(_) => match self.tag.count("NumberOfComponents")? {
+                0 => Err(self.tag.wrong("NumberOfComponents: 0 is not at least 1")),
+                n => Ok(n),
+            },
+        }
+    }
+
+    /// Whether it holds numbers of whole bytes: neither strings nor bits.
+    pub fn is_numeric(&self) -> Result<bool> {
+        let kind = self.tag.attribute("type")?.unwrap_or_default();
+        Ok(!matches!(&*kind, "String" | "Bit"))
+    }
+
+    /// The type of its numbers.
+    pub fn number(&self) -> Result<Number> {
+        let kind = self.tag.attribute("type")?.unwrap_or_default();
+        let unknown = || self.wrong(format_args!("type: \"{}\" is no type of numbers", shortened(&kind)));
+        Number::named(&kind).ok_or_else(unknown)
+    }
+
+    /// The numbers of so many items.
+    pub fn values(&self, document: &Document<'a>, items: usize) -> Result<Vec<f64>> {
+        let (components, number) = (self.components()?, self.number()?);
+        let too_many = || self.wrong(format_args!("{components} numbers for each of {items} items are too many"));
+        let count = items.checked_mul(components).ok_or_else(too_many)?;
+        let bytes = count.checked_mul(number.size()).ok_or_else(too_many)?;
+        if count == 0 {
+            return Ok(Vec::new());
+        }
+        document.decoded.set(document.decoded.get().saturating_add(bytes));
+        match self.form(document)? {
+            Form::Text => self.numbers_of_text(document, count),
+            Form::Bytes(mut source) => {
+                let bytes = document.encoding.read(&mut source, Some(bytes)).map_err(|e| self.named(&e))?;
+                number.decode(&bytes, document.encoding.big_endian)
+            }
+        }
+    }
+
+    /// The strings of an array of them; each ends with a zero.
+    pub fn strings(&self, document: &Document<'a>) -> Result<Vec<String>> {
+        let bytes = match self.form(document)? {
+            Form::Bytes(mut source) => {
+                document.encoding.read(&mut source, None).map_err(|e| self.named(&e))?.into_owned()
+            }
+            Form::Text => {
+                let count = self.body.split(u8::is_ascii_whitespace).filter(|w| !w.is_empty()).count();
+                self.numbers_of_text(document, count)?.into_iter().map(|x| x as u8).collect()
+            }
+        };
+        let ended = bytes.strip_suffix(b"\0").unwrap_or(&bytes);
+        Ok(ended.split(|b| *b == 0).map(|name| one_line(&String::from_utf8_lossy(name))).collect())
+    }
+
+    /// The error at this array.
+    pub fn wrong(&self, what: impl std::fmt::Display) -> Error {
+        wrong(self.tag.at, format_args!("{}{what}", self.label()))
+    }
+
+    fn label(&self) -> String {
+        let name = self.name().unwrap_or_default();
+        if name.is_empty() { String::new() } else { format!("array \"{}\": ", shortened(&name)) }
+    }
+
+    /// The error at a place of its data, with the name of the array.
+    fn named(&self, error: &Error) -> Error {
+        let (place, what) = error.message().split_once(": ").unwrap_or(("", error.message()));
+        Error::new(error.status(), format!("{place}: {}{what}", self.label()))
+    }
+
+    fn form(&self, document: &Document<'a>) -> Result<Form<'a>> {
+        let format = self.tag.attribute("format")?.unwrap_or("ascii".into());
+        Ok(match &*format {
+            "ascii" => Form::Text,
+            "binary" => Form::Bytes(Source::Base64(Base64::new(self.body, self.body_at))),
+            "appended" => {
+                let offset = self.tag.count("offset")?;
+                let none = || self.wrong(format_args!("offset: {offset} is beyond the appended data"));
+                let appended = document.appended.ok_or_else(none)?;
+                let data = appended.data.get(offset..).ok_or_else(none)?;
+                let at = appended.at + offset;
+                Form::Bytes(if appended.base64 { Source::Base64(Base64::new(data, at)) } else { Source::Raw(data, at) })
+            }
+            other => {
+                let other = shortened(other);
+                return Err(self.wrong(format_args!("format: \"{other}\" is none of ascii, binary, appended")));
+            }
+        })
+    }
+
+    fn numbers_of_text(&self, document: &Document<'a>, count: usize) -> Result<Vec<f64>> {
+        // Two characters a number are the least.
+        let mut values = try_with_capacity("values", count.min(self.body.len() / 2 + 1))?;
+        let mut words = Words::new(self.body);
+        for _ in 0..count {
+            let word = words.next();
+            match std::str::from_utf8(word).ok().and_then(|w| w.parse().ok()) {
+                Some(x) => values.push(x),
+                None if word.is_empty() => {
+                    let there = values.len();
+                    return Err(self.at_word(document, &words, format_args!("{there} numbers, not {count}")));
+                }
+                None => {
+                    let word = shortened(&String::from_utf8_lossy(word));
+                    return Err(self.at_word(document, &words, format_args!("\"{word}\" is not a number")));
+                }
+            }
+        }
+        match words.next() {
+            b"" => Ok(values),
+            _ => Err(self.at_word(document, &words, format_args!("more than {count} numbers"))),
+        }
+    }
+
+    fn at_word(&self, document: &Document<'a>, words: &Words, what: std::fmt::Arguments) -> Error {
+        let before = document.bytes[..self.body_at].iter().filter(|b| **b == b'\n').count();
+        Error::parse(format!("line {}: {}{what}", before + words.line(), self.label()))
+    }
+}
