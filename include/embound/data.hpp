@@ -7,6 +7,10 @@
 #include "answers.hpp"
 #include "mesh.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace embound {
 
 /// What carries named data.
@@ -59,6 +63,21 @@ inline std::string tag_name(const Mesh &mesh, std::int32_t tag) {
     return detail::text([&](std::size_t capacity, char *out, std::size_t *size) {
         return emb_mesh_tag_name(mesh.get(), tag, capacity, out, size);
     });
+}
+
+/// The mesh with other tags, one for each input face, and names for some of them.
+inline Mesh with_tags(const Mesh &mesh, Span<const std::int32_t> tags,
+                      const std::vector<std::pair<std::int32_t, std::string>> &names = {}) {
+    detail::require_size("tags", tags.size(), mesh.face_count());
+    std::vector<std::int32_t> named;
+    std::vector<const char *> texts;
+    for (const auto &[tag, name] : names) {
+        named.push_back(tag);
+        texts.push_back(name.c_str());
+    }
+    return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) {
+        return emb_mesh_with_tags(mesh.get(), tags.data(), named.size(), named.data(), texts.data(), out);
+    }));
 }
 
 /// The named data of the vertices or faces.
