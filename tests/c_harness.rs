@@ -137,6 +137,11 @@ fn trees_of_every_constructor_have_the_same_bits_however_they_are_asked_for() {
 }
 
 #[test]
+fn meshes_are_repaired_and_polygons_hold_points() {
+    harness("repair");
+}
+
+#[test]
 fn diagnoses_of_meshes_have_the_same_bits_however_they_are_asked_for() {
     same_hashes("diagnosis");
 }

@@ -103,12 +103,13 @@ fn parse(bytes: &[u8], format: Format) -> Result<Input> {
     }
 }
 
-/// Writes the surface as it stands, in the format that the extension names, in any case: `.stl` (binary).
-/// The file appears under its name when it is complete.
+/// Writes the surface as it stands, in the format that the extension names, in any case: `.stl` (binary; no
+/// tags or data), `.ply`, `.vtk`, `.vtp` (binary, with tags, names and data), `.obj` (text; tags as groups, of the
+/// data only colours). The file appears under its name when it is complete.
 ///
 /// # Errors
-/// [`Status::Unsupported`](crate::Status) for another extension, and for a coordinate beyond the range of
-/// the f32 of STL; [`Status::Io`](crate::Status) with the path and the system's reason.
+/// [`Status::Unsupported`](crate::Status) for another extension, and for what the format cannot hold (a
+/// coordinate beyond the range of the f32 of STL); [`Status::Io`](crate::Status) with the path and the system's reason.
 pub fn write(mesh: &Mesh, path: &Path) -> Result<()> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     let bytes = match extension.to_str() {
