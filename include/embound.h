@@ -1299,8 +1299,16 @@ emb_status emb_diagnosis_slivers(const emb_diagnosis *diagnosis,
                                  double *out_ratios,
                                  size_t *out_count);
 
-// Faces whose corners are off a plane, and by how much, over the diagonal of the box around the face
-// (emb_diagnosis_options.off_plane_ratio).
+// Faces that emb_mesh_report.warped_faces counts, and by how much each is off a plane, over the diagonal of the box
+// around it: nothing where a plane face crosses itself.
+emb_status emb_diagnosis_warped_faces(const emb_diagnosis *diagnosis,
+                                      size_t capacity,
+                                      int64_t *out_faces,
+                                      double *out_ratios,
+                                      size_t *out_count);
+
+// Faces whose corners are off a plane by more than emb_diagnosis_options.off_plane_ratio, and by how much, over the
+// diagonal of the box around the face.
 emb_status emb_diagnosis_off_plane_faces(const emb_diagnosis *diagnosis,
                                          size_t capacity,
                                          int64_t *out_faces,

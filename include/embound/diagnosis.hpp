@@ -165,7 +165,10 @@ public:
     /// Faces of hardly any area, each with its smallest height over its longest edge.
     std::vector<FaceMeasure> slivers() const { return measures(emb_diagnosis_slivers); }
 
-    /// Faces off a plane, each with how far, over the diagonal of its box.
+    /// Faces that the report counts as warped, each with how far it is off a plane, over the diagonal of its box.
+    std::vector<FaceMeasure> warped_faces() const { return measures(emb_diagnosis_warped_faces); }
+
+    /// Faces off a plane by more than asked for, each with how far, over the diagonal of its box.
     std::vector<FaceMeasure> off_plane_faces() const { return measures(emb_diagnosis_off_plane_faces); }
 
     /// Pairs of faces that intersect, the lower first.

@@ -302,8 +302,24 @@ pub unsafe extern "C" fn emb_diagnosis_slivers(
     })
 }
 
-/// Faces whose corners are off a plane, and by how much, over the diagonal of the box around the face
-/// (emb_diagnosis_options.off_plane_ratio).
+/// Faces that emb_mesh_report.warped_faces counts, and by how much each is off a plane, over the diagonal of the box
+/// around it: nothing where a plane face crosses itself.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_diagnosis_warped_faces(
+    diagnosis: *const emb_diagnosis,
+    capacity: usize,
+    out_faces: *mut i64,
+    out_ratios: *mut f64,
+    out_count: *mut usize,
+) -> emb_status {
+    // SAFETY: pointers as the header asks.
+    guard(|| unsafe {
+        give_measures(&lend("diagnosis", diagnosis)?.warped_faces, capacity, out_faces, out_ratios, out_count)
+    })
+}
+
+/// Faces whose corners are off a plane by more than emb_diagnosis_options.off_plane_ratio, and by how much, over the
+/// diagonal of the box around the face.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_diagnosis_off_plane_faces(
     diagnosis: *const emb_diagnosis,

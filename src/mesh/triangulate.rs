@@ -41,6 +41,11 @@ pub(super) fn triangulate(vertices: &[Vec3], faces: &Faces) -> Result<(Vec<Trian
     Ok((triangles, warped))
 }
 
+/// Whether a face counts as warped.
+pub(super) fn is_warped(vertices: &[Vec3], corners: &[u32]) -> Result<bool> {
+    Ok(corners.len() > 3 && !Scratch::default().cut(vertices, corners)?)
+}
+
 /// Buffers that serve one face after another.
 #[derive(Default)]
 struct Scratch {

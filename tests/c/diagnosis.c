@@ -107,6 +107,7 @@ static void every_list_is_had_by_two_calls(const emb_mesh *mesh, const emb_diagn
   CHECK(originals[0] == faces[0] - 1 && ways[0] == 0);
   LIST(1, sizeof *ratios, emb_diagnosis_slivers(d, capacity, faces, ratios, &n), ratios);
   CHECK(fabs(ratios[0] - 0.00025) < 1e-9);
+  LIST(0, sizeof *ratios, emb_diagnosis_warped_faces(d, capacity, faces, ratios, &n), ratios);
   LIST(0, sizeof *ratios, emb_diagnosis_off_plane_faces(d, capacity, faces, ratios, &n), ratios);
   LIST(report.self_intersections, 2 * sizeof *faces, emb_diagnosis_intersections(d, capacity, faces, &n), faces);
   for (k = 0; k < report.self_intersections; k++) {

@@ -129,6 +129,30 @@ fn polygons_are_slivers_as_wholes_and_off_a_plane_by_their_corners() {
 }
 
 #[test]
+fn warped_faces_are_those_the_report_counts() {
+    // A square, one with a corner lifted by a tenth, a bow tie in a plane.
+    let vertices = [
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+        [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0], [6.0, 1.0, 0.1], [5.0, 1.0, 0.0]],
+        [[9.0, 0.0, 0.0], [10.0, 1.0, 0.0], [10.0, 0.0, 0.0], [9.0, 1.5, 0.0]],
+    ]
+    .concat();
+    let indices: Vec<u32> = (0..12).collect();
+    let mesh =
+        Mesh::from_polygons(&vertices.concat(), &[0, 4, 8, 12], &indices, None, &MeshOptions::default()).unwrap();
+    assert_eq!(mesh.report().warped_faces, 2);
+    let found = diagnosis(&mesh);
+    let faces: Vec<u32> = found.warped_faces.iter().map(|w| w.face).collect();
+    assert_eq!(faces, [1, 2]);
+    // Half of a twentieth above and below, but for the slope of the plane; the diagonal is the root of 2.
+    assert!((found.warped_faces[0].ratio - 0.025 / 2f64.sqrt()).abs() < 1e-3, "{}", found.warped_faces[0].ratio);
+    assert_eq!(found.warped_faces[1].ratio, 0.0);
+    assert!(
+        found.text().contains("warped faces: 2: faces 1 off a plane by 0.018 at (5.5, 0.5, 0.05), 2 off a plane by 0")
+    );
+}
+
+#[test]
 fn edges_and_vertices_that_are_not_manifold_are_told() {
     for scale in SCALES {
         let found = diagnosis(&bodies::book(5).scaled(scale).mesh());

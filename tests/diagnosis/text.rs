@@ -21,7 +21,7 @@ signed volume 1
 closed: yes
 consistent: yes
 none found: non-manifold edges, non-manifold vertices, faces that lost corners in welding, faces of zero area, \
-duplicate faces, slivers, faces off a plane, intersections
+duplicate faces, slivers, warped faces, faces off a plane, intersections
 to do: nothing: closed, consistent, outward, fit for a signed distance as it is
 ";
     assert_eq!(text(&bodies::unit_cube()), expected);

@@ -132,7 +132,8 @@ impl<'a> Contacts<'a> {
     /// Whether two triangles are of any interest to each other.
     fn may_meet(&self, s: u32, t: u32) -> bool {
         let same_face = self.triangles[s as usize].face == self.triangles[t as usize].face;
-        !(self.flat[s as usize] || self.flat[t as usize] || self.faces_alone && same_face)
+        let is_flat = self.flat[s as usize] || self.flat[t as usize];
+        !(is_flat || self.faces_alone && same_face)
     }
 
     /// Whether two triangles that share no vertex meet; false where they share one.

@@ -16,6 +16,7 @@ pub(super) struct Examples {
     pub flat_faces: Vec<Vec3>,
     pub duplicates: Vec<Vec3>,
     pub slivers: Vec<Vec3>,
+    pub warped_faces: Vec<Vec3>,
     pub off_plane_faces: Vec<Vec3>,
     pub intersections: Vec<Vec3>,
 }
@@ -31,6 +32,7 @@ impl Examples {
             flat_faces: first(&found.flat_faces, |f| centre(*f)),
             duplicates: first(&found.duplicates, |d| centre(d.face)),
             slivers: first(&found.slivers, |s| centre(s.face)),
+            warped_faces: first(&found.warped_faces, |s| centre(s.face)),
             off_plane_faces: first(&found.off_plane_faces, |s| centre(s.face)),
             intersections: Vec::new(),
         }

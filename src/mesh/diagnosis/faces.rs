@@ -5,6 +5,7 @@ use super::{Diagnosis, DiagnosisOptions, Subject, push};
 use crate::error::{Result, try_with_capacity};
 use crate::math::{Aabb, Vec3, length, unit};
 use crate::mesh::duplicates::{Repeats, runs_forward};
+use crate::mesh::triangulate::is_warped;
 use crate::primitive::polygon::{are_collinear, area_vector};
 
 /// A face that repeats an earlier one: the same ring of vertices, from whichever corner, whichever way.
@@ -57,10 +58,13 @@ impl Diagnosis {
             if ratio < options.sliver_ratio || ratio.is_nan() {
                 push(&mut self.slivers, "faces", FaceMeasure { face, ratio })?;
             }
-            if ring.len() > 3 && options.off_plane_ratio > 0.0 {
-                let ratio = off_plane(corners);
-                if ratio > options.off_plane_ratio {
-                    push(&mut self.off_plane_faces, "faces", FaceMeasure { face, ratio })?;
+            if ring.len() > 3 {
+                let found = FaceMeasure { face, ratio: off_plane(corners) };
+                if options.off_plane_ratio > 0.0 && found.ratio > options.off_plane_ratio {
+                    push(&mut self.off_plane_faces, "faces", found)?;
+                }
+                if mesh.report.warped_faces > 0 && is_warped(subject.vertices, ring)? {
+                    push(&mut self.warped_faces, "faces", found)?;
                 }
             }
         }

@@ -94,7 +94,10 @@ pub struct Diagnosis {
     /// triangle is its smallest height over its longest edge. (The length of a polygon: from its first corner
     /// to the farthest, and from there to the farthest again, the longer of the two.)
     pub slivers: Vec<FaceMeasure>,
-    /// Faces whose corners are off a plane: each with half the room between two planes around its corners, over
+    /// Faces that the report counts as warped: off a plane or crossing themselves. Each with the number of
+    /// [`Diagnosis::off_plane_faces`].
+    pub warped_faces: Vec<FaceMeasure>,
+    /// Faces whose corners are off a plane by more than asked for: each with half the room between two planes around its corners, over
     /// the diagonal of its box.
     pub off_plane_faces: Vec<FaceMeasure>,
     /// Sets of faces connected over edges, by lowest face.

@@ -105,6 +105,10 @@ impl Diagnosis {
         let slivers = self.slivers.iter().zip(&e.slivers);
         let shown = slivers.map(|(s, p)| at(format!("{} of ratio {}", s.face, significant(s.ratio, 2)), p));
         tell("slivers", n, examples(n, "faces", shown));
+        let n = self.warped_faces.len();
+        let faces = self.warped_faces.iter().zip(&e.warped_faces);
+        let shown = faces.map(|(s, p)| at(format!("{} off a plane by {}", s.face, significant(s.ratio, 2)), p));
+        tell("warped faces", n, examples(n, "faces", shown));
         let n = self.off_plane_faces.len();
         let faces = self.off_plane_faces.iter().zip(&e.off_plane_faces);
         let shown = faces.map(|(s, p)| at(format!("{} by {}", s.face, significant(s.ratio, 2)), p));
