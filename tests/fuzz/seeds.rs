@@ -134,8 +134,7 @@ pub fn large() -> Vec<(&'static str, crate::Format, Vec<u8>)> {
     let soup = bodies::torus(2.0, 0.5, 400, 250);
     let groups: String =
         (0..triangles).fold("v 0 0 0\nv 1 0 0\nv 0 1 0\n".into(), |t, k| t + &format!("g {k}\nf 1 2 3\n"));
-    let polygon: String =
-        (0..20_000).fold("v 0 0 0\nv 1 0 0\nv 0 1 0\nf".into(), |t, k| t + [" 1", " 2", " 3"][k % 3]);
+    let polygon: String = (0..20_000).fold("v 0 0 0\nv 1 0 0\nv 0 1 0\nf".into(), |t, k| t + [" 1", " 2", " 3"][k % 3]);
     let tags = "<VTKFile type=\"PolyData\">".to_owned() + &"<a b=\"\"/>".repeat(triangles);
     let pieces = "<VTKFile type=\"PolyData\"><PolyData>".to_owned() + &"<Piece/>".repeat(triangles);
     let arrays = "<VTKFile type=\"PolyData\"><PolyData><Piece><Points>".to_owned() + &"<Array/>".repeat(triangles);
