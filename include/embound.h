@@ -928,13 +928,15 @@ emb_status emb_mesh_from_polygons(size_t vertex_count,
                                   const emb_mesh_options *options,
                                   emb_mesh **out_mesh);
 
-// Writes the mesh as it stands, oriented; the format is chosen by the extension of `path`: ".stl" (binary, coordinates
-// rounded to float; no tags or data), ".ply", ".vtk" (legacy) and ".vtp" (all binary, with tags, their names and all
-// named data) or ".obj" (text; tags with their names as groups, of the data only colours red, green, blue). Faces are
-// numbered anew, without those that are gone. The file appears under its name when it is complete.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; what the format cannot hold), EMB_ERROR_IO,
-// EMB_ERROR_MEMORY.
-emb_status emb_mesh_write(const emb_mesh *mesh, const char *path);
+// Writes the mesh as it stands, oriented; the format is chosen by the extension of `path`, in any case:
+// ".stl" (binary: triangles in float), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
+// All but STL hold polygons, coordinates to the bit, tags and their names; PLY, VTK and VTP all named data, OBJ of
+// them the vertices' red, green and blue alone. Faces are numbered anew where the mesh lost some. The file appears
+// under its name when it is complete. Any thread. Cost: linear; the file's bytes are in memory meanwhile.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; a coordinate beyond the float of STL; face data of
+// the name that the file has for tags), EMB_ERROR_IO, EMB_ERROR_MEMORY.
+emb_status emb_mesh_write(const emb_mesh *mesh,
+                          const char *path);
 
 // Writes what the mesh is like, as read and before repair, to *report, whose struct_size the caller has set;
 // nothing is written beyond that size. O(1): the report is made with the mesh. Any thread.
@@ -1902,6 +1904,20 @@ emb_status emb_geom_bounding_sphere(const emb_geom *g,
                                     double out_center[3],
                                     double *out_radius,
                                     int32_t *out_state);
+
+// Writes values over a lattice to a file for ParaView or VisIt: VTK's XML with appended bytes, as point data.
+// arrays[k], which is only read, holds the values named names[k] (UTF-8, one line, each another) at the lattice's
+// points, in any of the four types and any layout. The extension of `path` is ".vti" (axes of even steps, to within
+// rounding; of each the first coordinate and the step are kept) or ".vtr" (any axes; their coordinates are kept). Axes
+// rise strictly, and each has at least one coordinate. `names` and `arrays` may be NULL where count is 0. The values
+// go to the file row by row, without a copy; it appears under its name when it is complete. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the lattice, a name, an array), EMB_ERROR_UNSUPPORTED
+// (extension; an axis that does not rise, or for ".vti" not evenly), EMB_ERROR_IO, EMB_ERROR_MEMORY. Cost: linear in the values.
+emb_status emb_lattice_write(const emb_lattice *lattice,
+                             const char *path,
+                             size_t count,
+                             const char *const *names,
+                             const emb_array *arrays);
 
 #ifdef __cplusplus
 }  // extern "C"

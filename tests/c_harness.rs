@@ -99,6 +99,11 @@ fn misuse_of_constructors_is_answered_with_a_status_and_a_message() {
 }
 
 #[test]
+fn values_over_lattices_are_written_to_files() {
+    harness("lattice");
+}
+
+#[test]
 fn misuse_of_meshes_is_answered_with_a_status_and_a_message() {
     harness("misuse_meshes");
 }

@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 24] = [
+const SOURCES: [&str; 25] = [
     "constants",
     "error",
     "callback",
@@ -38,6 +38,7 @@ const SOURCES: [&str; 24] = [
     "combine",
     "query",
     "bounding",
+    "lattice",
 ];
 
 fn generate() -> String {

@@ -358,12 +358,13 @@ fn check_offsets(offsets: &[usize]) -> Result<()> {
     }
 }
 
-/// Writes the mesh as it stands, oriented; the format is chosen by the extension of `path`: ".stl" (binary, coordinates
-/// rounded to float; no tags or data), ".ply", ".vtk" (legacy) and ".vtp" (all binary, with tags, their names and all
-/// named data) or ".obj" (text; tags with their names as groups, of the data only colours red, green, blue). Faces are
-/// numbered anew, without those that are gone. The file appears under its name when it is complete.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; what the format cannot hold), EMB_ERROR_IO,
-/// EMB_ERROR_MEMORY.
+/// Writes the mesh as it stands, oriented; the format is chosen by the extension of `path`, in any case:
+/// ".stl" (binary: triangles in float), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
+/// All but STL hold polygons, coordinates to the bit, tags and their names; PLY, VTK and VTP all named data, OBJ of
+/// them the vertices' red, green and blue alone. Faces are numbered anew where the mesh lost some. The file appears
+/// under its name when it is complete. Any thread. Cost: linear; the file's bytes are in memory meanwhile.
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; a coordinate beyond the float of STL; face data of
+/// the name that the file has for tags), EMB_ERROR_IO, EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_write(mesh: *const emb_mesh, path: *const c_char) -> emb_status {
     // SAFETY: pointers as the header asks.
