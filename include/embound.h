@@ -872,12 +872,15 @@ void emb_pool_free(emb_pool *pool);
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
 emb_status emb_mesh_options_init(emb_mesh_options *options, size_t size);
 
-// Reads a mesh from a file. The format is found from the content; this version reads STL, binary and ASCII,
-// all solids of a file together, each face with the number of its solid, from 0, as its tag. `options` may be NULL; the calling thread tells `run` 0 before and 1 after.
-// On success *out_mesh is the caller's, to be freed with emb_mesh_free.
+// Reads a mesh from a file: STL, PLY, OBJ, legacy VTK PolyData or VTP, as text or as bytes of either order, found from
+// the content. All solids, groups and pieces of a file come together, with tags: of STL the number of the solid, of OBJ
+// a number for each group and material, of PLY, VTK and VTP an integer `tag` of the faces; their names are kept, and so
+// are named data of vertices and faces (emb_mesh_field_get). Nothing is changed but this: vertices are welded and faces
+// oriented as `options` say (NULL: defaults). The calling thread tells `run` 0 before and 1 after. On success *out_mesh
+// is the caller's, to be freed with emb_mesh_free.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_IO, EMB_ERROR_PARSE (truncated, empty,
-// coordinates that are not finite; the message names the offset or the line), EMB_ERROR_MEMORY,
-// EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
+// coordinates that are not finite; the message names the offset or the line), EMB_ERROR_UNSUPPORTED (another kind of
+// VTK data), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
 emb_status emb_mesh_read(const char *path,
                          const emb_mesh_options *options,
                          const emb_run *run,
@@ -925,10 +928,15 @@ emb_status emb_mesh_from_polygons(size_t vertex_count,
                                   const emb_mesh_options *options,
                                   emb_mesh **out_mesh);
 
-// Writes the mesh as it stands, oriented and repaired; the format is chosen by the extension of `path`. This
-// version writes binary STL for ".stl".
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension), EMB_ERROR_IO.
-emb_status emb_mesh_write(const emb_mesh *mesh, const char *path);
+// Writes the mesh as it stands, oriented; the format is chosen by the extension of `path`, in any case:
+// ".stl" (binary: triangles in float), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
+// All but STL hold polygons, coordinates to the bit, tags and their names; PLY, VTK and VTP all named data, OBJ of
+// them the vertices' red, green and blue alone. Faces are numbered anew where the mesh lost some. The file appears
+// under its name when it is complete. Any thread. Cost: linear; the file's bytes are in memory meanwhile.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; a coordinate beyond the float of STL; face data of
+// the name that the file has for tags), EMB_ERROR_IO, EMB_ERROR_MEMORY.
+emb_status emb_mesh_write(const emb_mesh *mesh,
+                          const char *path);
 
 // Writes what the mesh is like, as read and before repair, to *report, whose struct_size the caller has set;
 // nothing is written beyond that size. O(1): the report is made with the mesh. Any thread.
@@ -1151,8 +1159,8 @@ emb_status emb_mesh_transform(const emb_mesh *mesh,
                               emb_mesh **out_mesh);
 
 // The mesh in parts: EMB_SPLIT_TAG, one a tag by rising tag, or EMB_SPLIT_COMPONENT, one for what edges connect by the
-// lowest face of each. Parts keep vertices, orientation, tags, names and data; their faces are numbered anew from 0,
-// in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
+// lowest face of each. Parts keep vertices, orientation, tags with their names, and data; their vertices and faces are
+// numbered anew from 0, in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
 // handles, each to be freed with emb_mesh_free. Cost: near linear.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (by; a capacity below the count), EMB_ERROR_MEMORY.
 emb_status emb_mesh_split(const emb_mesh *mesh,
@@ -1896,6 +1904,20 @@ emb_status emb_geom_bounding_sphere(const emb_geom *g,
                                     double out_center[3],
                                     double *out_radius,
                                     int32_t *out_state);
+
+// Writes values over a lattice to a file for ParaView or VisIt: VTK's XML with appended bytes, as point data.
+// arrays[k], which is only read, holds the values named names[k] (UTF-8, one line, each another) at the lattice's
+// points, in any of the four types and any layout. The extension of `path` is ".vti" (axes of even steps, to within
+// rounding; of each the first coordinate and the step are kept) or ".vtr" (any axes; their coordinates are kept). Axes
+// rise strictly, and each has at least one coordinate. `names` and `arrays` may be NULL where count is 0. The values
+// go to the file row by row, without a copy; it appears under its name when it is complete. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (the lattice, a name, an array), EMB_ERROR_UNSUPPORTED
+// (extension; an axis that does not rise, or for ".vti" not evenly), EMB_ERROR_IO, EMB_ERROR_MEMORY. Cost: linear in the values.
+emb_status emb_lattice_write(const emb_lattice *lattice,
+                             const char *path,
+                             size_t count,
+                             const char *const *names,
+                             const emb_array *arrays);
 
 #ifdef __cplusplus
 }  // extern "C"

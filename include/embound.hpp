@@ -22,6 +22,7 @@
 #include "embound/error.hpp"
 #include "embound/function.hpp"
 #include "embound/geometry.hpp"
+#include "embound/grid.hpp"
 #include "embound/mesh.hpp"
 #include "embound/repair.hpp"
 #include "embound/run.hpp"

@@ -99,6 +99,11 @@ fn misuse_of_constructors_is_answered_with_a_status_and_a_message() {
 }
 
 #[test]
+fn values_over_lattices_are_written_to_files() {
+    harness("lattice");
+}
+
+#[test]
 fn misuse_of_meshes_is_answered_with_a_status_and_a_message() {
     harness("misuse_meshes");
 }
@@ -134,6 +139,11 @@ fn meshes_are_put_together_and_taken_apart() {
 #[test]
 fn trees_of_every_constructor_have_the_same_bits_however_they_are_asked_for() {
     same_hashes("trees");
+}
+
+#[test]
+fn meshes_are_repaired_and_polygons_hold_points() {
+    harness("repair");
 }
 
 #[test]
@@ -183,9 +193,13 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_mesh_options: struct_size, scale, rotation, shift, weld_tolerance, orient, format, index_base);
     layout!(lines, emb_mesh_report: struct_size, closed, consistent, inside_out, components, vertices, faces,
         triangles, boundary_edges, nonmanifold_edges, inconsistent_edges, degenerate_faces, duplicate_faces,
-        self_intersections, volume, area, lo, hi);
+        self_intersections, volume, area, lo, hi, warped_faces);
     layout!(lines, emb_mesh_measure: struct_size, normal, centroid, size);
     layout!(lines, emb_mesh_field: struct_size, components, count);
+    layout!(lines, emb_repair_options: struct_size, flags, fill_tag_rule, fill_tag, weld_tolerance, hole_edges,
+        hole_length);
+    layout!(lines, emb_repair_result: struct_size, vertices_welded, faces_collapsed, degenerate_faces,
+        duplicate_faces, vertices_split, faces_turned, components_turned, holes_filled, holes_left, faces_added);
     layout!(lines, emb_diagnosis_options: struct_size, sliver_ratio, off_plane_ratio, intersection_limit);
     layout!(lines, emb_diagnosis_summary: struct_size, nonmanifold_vertices, shrunk_faces, flat_faces, slivers,
         off_plane_faces, components, boundary_loops, open_chains, listed_intersections, turned_faces, unbalanced_edges,

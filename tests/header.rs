@@ -39,6 +39,7 @@ const SOURCES: [&str; 25] = [
     "combine",
     "query",
     "bounding",
+    "lattice",
 ];
 
 fn generate() -> String {

@@ -106,6 +106,19 @@ void find_lit(Surface &surface, const Marcher &marcher, const Point &light, doub
     }
 }
 
+// The surface's own colours.
+std::vector<Colour> own_colours(const Surface &surface, const Look &look) {
+    if (look.paint) {
+        return look.paint(surface.point);
+    }
+    std::vector<Colour> colours;
+    colours.reserve(surface.part.size());
+    for (const std::int32_t part : surface.part) {
+        colours.push_back(look.colours[std::min(static_cast<std::size_t>(part + 1), look.colours.size() - 1)]);
+    }
+    return colours;
+}
+
 Image shrunk(const Image &image) {
     constexpr std::size_t n = rays_per_side;
     Image small(image.width / n, image.height / n, {});
@@ -137,13 +150,13 @@ Image render(const embound::Geometry &g, const View &view, const Look &look, std
     if (look.shadows) {
         find_lit(surface, marcher, light, 2.0 * view.half_depth, 2.0 * least_step);
     }
+    const std::vector<Colour> colours = own_colours(surface, look);
     for (std::size_t i = 0; i < surface.ray.size(); ++i) {
         const double toward_light = std::max(0.0, dot(surface.normal[i], light)) * surface.lit[i];
         const double sky = 0.5 + 0.5 * dot(surface.normal[i], camera.up),
                      eye = std::max(0.0, dot(surface.normal[i], camera.toward));
         const double bright = (0.40 + 0.16 * sky + 0.12 * eye) * (0.45 + 0.55 * surface.open[i]) + 0.52 * toward_light;
-        const auto which = static_cast<std::size_t>(surface.part[i] + 1);
-        const Colour &own = look.colours[std::min(which, look.colours.size() - 1)];
+        const Colour &own = colours[i];
         image.pixels[surface.ray[i]] =
             bright <= 1.0 ? mix({0.02, 0.02, 0.05}, own, bright) : mix(own, {1.0, 1.0, 1.0}, bright - 1.0);
     }

@@ -7,6 +7,9 @@
 
 #include <embound.hpp>
 
+#include <functional>
+#include <vector>
+
 // Parallel projection; z points up in the picture, y where one looks along z.
 struct View {
     embound::Point target; // in the middle of the picture
@@ -20,6 +23,8 @@ struct Look {
     std::vector<Colour> colours; // of part -1, 0, 1, ...; the last for all further ones
     Colour background{1.0, 1.0, 1.0};
     bool shadows = true;
+    // The colour of each of several points of the surface, instead of their parts'.
+    std::function<std::vector<Colour>(const std::vector<embound::Point> &)> paint{};
 };
 
 // A picture of width x height pixels. The body must not reach the plane half_depth before the target.

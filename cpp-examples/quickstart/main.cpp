@@ -7,7 +7,6 @@
 #include "report.hpp"
 #include "slice.hpp"
 #include "volume.hpp"
-#include "vti.hpp"
 
 #include <embound.hpp>
 
@@ -156,7 +155,7 @@ void quickstart(int argc, char **argv) {
     classify(g, grid, pool);
     compare_with_brute_force(mesh, g, grid);
     const std::string stem = in_demo_out(argc > 1 ? std::filesystem::path(argv[1]).stem().string() : "bracket");
-    write_vti(stem + ".vti", grid);
+    embound::write_grid(stem + ".vti", grid.lattice(), {{"distance", grid.values}});
     std::printf("written       %s.vti: the level set, for ParaView\n", stem.c_str());
     const Slice slice = best_slice(grid);
     Legend legend{};

@@ -7,6 +7,10 @@
 #include "answers.hpp"
 #include "mesh.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace embound {
 
 /// What carries named data.
@@ -61,6 +65,21 @@ inline std::string tag_name(const Mesh &mesh, std::int32_t tag) {
     });
 }
 
+/// The mesh with other tags, one for each input face, and names for some of them.
+inline Mesh with_tags(const Mesh &mesh, Span<const std::int32_t> tags,
+                      const std::vector<std::pair<std::int32_t, std::string>> &names = {}) {
+    detail::require_size("tags", tags.size(), mesh.face_count());
+    std::vector<std::int32_t> named;
+    std::vector<const char *> texts;
+    for (const auto &[tag, name] : names) {
+        named.push_back(tag);
+        texts.push_back(name.c_str());
+    }
+    return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) {
+        return emb_mesh_with_tags(mesh.get(), tags.data(), named.size(), named.data(), texts.data(), out);
+    }));
+}
+
 /// The named data of the vertices or faces.
 inline std::vector<Field> fields(const Mesh &mesh, On on) {
     const std::int32_t c_on = static_cast<std::int32_t>(on);
@@ -88,8 +107,25 @@ inline Field field(const Mesh &mesh, On on, const std::string &name) {
     throw Error(EMB_ERROR_INVALID_ARGUMENT, "name: the mesh has no field \"" + name + "\" there");
 }
 
+namespace detail {
+
+/// Results are sized by what `field` says, so it must be of this mesh.
+inline void require_field(const Mesh &mesh, const Field &field) {
+    emb_mesh_field c{};
+    c.struct_size = sizeof c;
+    std::size_t size = 0;
+    check(emb_mesh_field_get(mesh.get(), static_cast<std::int32_t>(field.on), field.index, &c, 0, nullptr, &size));
+    if (c.components != field.components) {
+        throw Error(EMB_ERROR_INVALID_ARGUMENT, "field: \"" + field.name + "\" has " + std::to_string(field.components) +
+                                                    " components, the data of this mesh " + std::to_string(c.components));
+    }
+}
+
+} // namespace detail
+
 /// All values of named data, item after item.
 inline std::vector<double> values(const Mesh &mesh, const Field &field) {
+    detail::require_field(mesh, field);
     std::vector<double> all = detail::vector_of<double>(field.components * field.count);
     check(emb_mesh_field_values(mesh.get(), static_cast<std::int32_t>(field.on), field.index, 0, field.count, all.data()));
     return all;
@@ -110,15 +146,24 @@ inline Mesh with_field(const Mesh &mesh, On on, const std::string &name, Span<co
 }
 
 /// Named data at the closest points that Geometry::closest found: `components` numbers a point, NaN where
-/// there is no face.
+/// there is no face. Of `closest` only primitive, piece (empty: 0 throughout) and, for data of vertices,
+/// barycentric are read.
 inline std::vector<double> interpolate(const Mesh &mesh, const Field &field, const Closest &closest, const Run &run = {}) {
+    detail::require_field(mesh, field);
     const std::size_t n = closest.primitive.size();
+    const double *axes[3] = {nullptr, nullptr, nullptr};
+    if (field.on == On::Vertices && n > 0) {
+        detail::require_size("closest.barycentric", closest.barycentric.size(), n);
+        const double *weights = detail::flat(closest.barycentric.data());
+        axes[0] = weights, axes[1] = weights + 1, axes[2] = weights + 2;
+    }
+    if (!closest.piece.empty()) {
+        detail::require_size("closest.piece", closest.piece.size(), n);
+    }
     std::vector<double> out = detail::vector_of<double>(n * field.components);
-    const double *weights = detail::flat(closest.barycentric.data());
-    const double *const axes[3] = {weights, weights + 1, weights + 2};
     detail::call(run, [&](const emb_run *r) {
         return emb_mesh_interpolate(mesh.get(), static_cast<std::int32_t>(field.on), field.index, n, closest.primitive.data(),
-                                    closest.piece.data(), axes, 3, r, out.data());
+                                    closest.piece.empty() ? nullptr : closest.piece.data(), axes, 3, r, out.data());
     });
     return out;
 }

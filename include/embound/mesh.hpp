@@ -156,13 +156,21 @@ public:
     std::vector<Mesh> split(SplitBy by) const {
         std::size_t count = 0;
         check(emb_mesh_split(get(), static_cast<std::int32_t>(by), 0, nullptr, &count));
-        std::vector<emb_mesh *> handles(count);
+        std::vector<emb_mesh *> handles = detail::vector_of<emb_mesh *>(count);
+        // Every handle has an owner before anything can be thrown again.
+        std::vector<Owned> owned = detail::vector_of<Owned>(count);
         check(emb_mesh_split(get(), static_cast<std::int32_t>(by), count, handles.data(), &count));
-        std::vector<Mesh> parts;
-        for (emb_mesh *handle : handles) {
-            parts.emplace_back(handle);
+        for (std::size_t k = 0; k < count; ++k) {
+            owned[k].reset(handles[k]);
         }
-        return parts;
+        return detail::allocated("parts", [&] {
+            std::vector<Mesh> parts;
+            parts.reserve(count);
+            for (Owned &handle : owned) {
+                parts.emplace_back(handle.release());
+            }
+            return parts;
+        });
     }
 
     std::size_t vertex_count() const noexcept { return emb_mesh_vertex_count(get()); }     ///< Vertices after welding.
@@ -198,6 +206,11 @@ public:
     const emb_mesh *get() const noexcept { return handle_.get(); }
 
 private:
+    struct Free {
+        void operator()(emb_mesh *mesh) const noexcept { emb_mesh_free(mesh); }
+    };
+    using Owned = std::unique_ptr<emb_mesh, Free>;
+
     template <class Create> static Mesh from(const Run &run, Create &&create) {
         emb_mesh *mesh = nullptr;
         detail::call(run, [&](const emb_run *r) { return create(r, &mesh); });

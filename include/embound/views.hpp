@@ -272,19 +272,20 @@ private:
     std::array<std::ptrdiff_t, 3> stride_{0, 0, 0};
 };
 
-/// The caller's samples over a lattice, of double or float, which are only read.
-class ConstArray {
+/// The caller's values over a lattice, which are only read: of double or float, and where `Integers` says so of
+/// std::int32_t or std::int8_t as well.
+template <bool Integers> class ReadArray {
 public:
     /// Tight, x fastest: element (i, j, k) at i + n[0] * (j + n[1] * k). Its size is checked.
     template <class Container,
               class T = std::remove_cv_t<std::remove_pointer_t<decltype(std::declval<const Container &>().data())>>,
               class = std::enable_if_t<std::is_convertible_v<const Container &, Span<const T>>>>
-    ConstArray(const Container &values) noexcept : data_(values.data()), size_(values.size()), type_(real<T>()) {}
+    ReadArray(const Container &values) noexcept : data_(values.data()), size_(values.size()), type_(allowed<T>()) {}
     /// Element (i, j, k) at data[i * stride[0] + j * stride[1] + k * stride[2]], in elements; the
     /// memory there is the caller's word.
     template <class T>
-    ConstArray(const T *data, const std::array<std::ptrdiff_t, 3> &stride) noexcept
-        : data_(data), size_(unknown), type_(real<T>()), stride_(stride) {}
+    ReadArray(const T *data, const std::array<std::ptrdiff_t, 3> &stride) noexcept
+        : data_(data), size_(unknown), type_(allowed<T>()), stride_(stride) {}
 
     /// As the C functions take it; Error where a tight array has not `count` elements.
     emb_array c(const char *name, std::size_t count) const {
@@ -302,8 +303,8 @@ public:
     }
 
 private:
-    template <class T> static constexpr std::int32_t real() noexcept {
-        static_assert(std::is_floating_point_v<T>, "samples are double or float");
+    template <class T> static constexpr std::int32_t allowed() noexcept {
+        static_assert(Integers || std::is_floating_point_v<T>, "samples are double or float");
         return detail::type_of<T>();
     }
 
@@ -314,6 +315,9 @@ private:
     std::int32_t type_;
     std::array<std::ptrdiff_t, 3> stride_{0, 0, 0};
 };
+
+using ConstArray = ReadArray<false>;         ///< Samples.
+using ConstArrayOfAnyType = ReadArray<true>; ///< Samples, or numbers of other kinds.
 
 } // namespace embound
 

@@ -103,8 +103,8 @@ pub unsafe extern "C" fn emb_mesh_transform(
 }
 
 /// The mesh in parts: EMB_SPLIT_TAG, one a tag by rising tag, or EMB_SPLIT_COMPONENT, one for what edges connect by the
-/// lowest face of each. Parts keep vertices, orientation, tags, names and data; their faces are numbered anew from 0,
-/// in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
+/// lowest face of each. Parts keep vertices, orientation, tags with their names, and data; their vertices and faces are
+/// numbered anew from 0, in their order. *out_count is how many there are; with `capacity` 0 that is all, else out_meshes takes so many
 /// handles, each to be freed with emb_mesh_free. Cost: near linear.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (by; a capacity below the count), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]

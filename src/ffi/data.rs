@@ -288,9 +288,11 @@ fn field(mesh: &Mesh, on: i32, k: usize) -> Result<&Field> {
     fields.get(k).ok_or_else(|| Error::invalid(format!("k: {k} is not below {}, the count of fields", fields.len())))
 }
 
+/// A name: one line of UTF-8.
+///
 /// # Safety
 /// `text` is NULL or ends with a zero byte and stays during `'a`.
-unsafe fn name<'a>(argument: &str, text: *const c_char) -> Result<&'a str> {
+pub(super) unsafe fn name<'a>(argument: &str, text: *const c_char) -> Result<&'a str> {
     if text.is_null() {
         return Err(null(argument));
     }

@@ -180,12 +180,15 @@ pub unsafe extern "C" fn emb_mesh_options_init(options: *mut emb_mesh_options, s
     guard(|| unsafe { versioned::init("options", options, size) })
 }
 
-/// Reads a mesh from a file. The format is found from the content; this version reads STL, binary and ASCII,
-/// all solids of a file together, each face with the number of its solid, from 0, as its tag. `options` may be NULL; the calling thread tells `run` 0 before and 1 after.
-/// On success *out_mesh is the caller's, to be freed with emb_mesh_free.
+/// Reads a mesh from a file: STL, PLY, OBJ, legacy VTK PolyData or VTP, as text or as bytes of either order, found from
+/// the content. All solids, groups and pieces of a file come together, with tags: of STL the number of the solid, of OBJ
+/// a number for each group and material, of PLY, VTK and VTP an integer `tag` of the faces; their names are kept, and so
+/// are named data of vertices and faces (emb_mesh_field_get). Nothing is changed but this: vertices are welded and faces
+/// oriented as `options` say (NULL: defaults). The calling thread tells `run` 0 before and 1 after. On success *out_mesh
+/// is the caller's, to be freed with emb_mesh_free.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_IO, EMB_ERROR_PARSE (truncated, empty,
-/// coordinates that are not finite; the message names the offset or the line), EMB_ERROR_MEMORY,
-/// EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
+/// coordinates that are not finite; the message names the offset or the line), EMB_ERROR_UNSUPPORTED (another kind of
+/// VTK data), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_read(
     path: *const c_char,
@@ -355,9 +358,13 @@ fn check_offsets(offsets: &[usize]) -> Result<()> {
     }
 }
 
-/// Writes the mesh as it stands, oriented and repaired; the format is chosen by the extension of `path`. This
-/// version writes binary STL for ".stl".
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension), EMB_ERROR_IO.
+/// Writes the mesh as it stands, oriented; the format is chosen by the extension of `path`, in any case:
+/// ".stl" (binary: triangles in float), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
+/// All but STL hold polygons, coordinates to the bit, tags and their names; PLY, VTK and VTP all named data, OBJ of
+/// them the vertices' red, green and blue alone. Faces are numbered anew where the mesh lost some. The file appears
+/// under its name when it is complete. Any thread. Cost: linear; the file's bytes are in memory meanwhile.
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; a coordinate beyond the float of STL; face data of
+/// the name that the file has for tags), EMB_ERROR_IO, EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_write(mesh: *const emb_mesh, path: *const c_char) -> emb_status {
     // SAFETY: pointers as the header asks.

@@ -24,6 +24,7 @@ mod error;
 mod function;
 mod geometry;
 mod handle;
+mod lattice;
 mod lists;
 mod mesh;
 mod polygon;
@@ -53,6 +54,7 @@ pub use diagnosis_structs::{emb_diagnosis_options, emb_diagnosis_summary, emb_me
 pub use error::{emb_isa, emb_last_error, emb_status, emb_version_number};
 pub use function::*;
 pub use geometry::*;
+pub use lattice::emb_lattice_write;
 pub use mesh::*;
 pub use polygon::*;
 pub use pool::{emb_pool, emb_pool_clone, emb_pool_free, emb_pool_from_callback, emb_pool_new, emb_pool_width};

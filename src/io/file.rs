@@ -13,12 +13,16 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
     fs::read(path).map_err(|e| failure("read", path, &e))
 }
 
-/// Writes beside `path` and renames, so that a file of this name is always a whole one.
+/// Writes bytes as [`write_with`] does.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    write_with(path, |file| file.write_all(bytes))
+}
+
+/// Writes beside `path` and renames, so that a file of this name is always a whole one.
+pub(super) fn write_with(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> Result<()> {
     let temporary = beside(path);
-    let written = File::create_new(&temporary)
-        .and_then(|mut file| file.write_all(bytes))
-        .and_then(|()| fs::rename(&temporary, path));
+    let written =
+        File::create_new(&temporary).and_then(|mut file| fill(&mut file)).and_then(|()| fs::rename(&temporary, path));
     written.map_err(|e| {
         // The first failure is the one to tell of.
         let _ = fs::remove_file(&temporary);

@@ -3,6 +3,8 @@
 
 mod detect;
 mod file;
+mod grid;
+mod number;
 mod obj;
 mod ply;
 mod stl;
@@ -10,6 +12,8 @@ mod text;
 mod vtk;
 mod vtp;
 mod words;
+
+pub use grid::{GridField, write_grid};
 
 use crate::error::{Error, Result};
 use crate::mesh::{Input, JoinTags, Mesh, MeshOptions, build, join};
@@ -102,12 +106,23 @@ fn parse(bytes: &[u8], format: Format) -> Result<Input> {
     }
 }
 
-/// Writes the surface as it stands, in the format that the extension names, in any case: `.stl` (binary).
-/// The file appears under its name when it is complete.
+/// Writes the surface as it stands, in the format that the extension names, in any case. The file appears under
+/// its name when it is complete.
+///
+/// | | holds |
+/// |---|---|
+/// | `.stl` | binary: triangles in f32 |
+/// | `.ply` | binary: polygons, named data, tags and their names |
+/// | `.obj` | text: polygons, tags and their names; of named data the vertices' red, green and blue alone |
+/// | `.vtk` | legacy, binary: as `.ply` |
+/// | `.vtp` | XML, appended bytes: as `.ply` |
+///
+/// All but STL give every coordinate back to the bit. Faces are numbered anew where the mesh lost some.
 ///
 /// # Errors
-/// [`Status::Unsupported`](crate::Status) for another extension, and for a coordinate beyond the range of
-/// the f32 of STL; [`Status::Io`](crate::Status) with the path and the system's reason.
+/// [`Status::Unsupported`](crate::Status) for another extension, for a coordinate beyond the range of the f32
+/// of STL, and for face data of the name that the file has for tags; [`Status::Io`](crate::Status) with the path
+/// and the system's reason; [`Status::Memory`](crate::Status).
 pub fn write(mesh: &Mesh, path: &Path) -> Result<()> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     let bytes = match extension.to_str() {

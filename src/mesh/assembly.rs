@@ -61,8 +61,8 @@ impl Mesh {
         build(self.as_input()?, options)
     }
 
-    /// The mesh in parts that keep vertices, orientation, tags, names and data. Faces are numbered anew in
-    /// each, in their order.
+    /// The mesh in parts that keep vertices, orientation, tags, their names, and data. Vertices and faces are
+    /// numbered anew in each, in their order.
     ///
     /// # Errors
     /// [`Status::Memory`].
@@ -156,23 +156,21 @@ impl Mesh {
         let own = self.half_edges.faces();
         let corners = faces.iter().map(|&f| own.face(f as usize).len()).sum();
         let mut rows: Vec<u32> = try_with_capacity("rows", marks.len().min(2 * corners))?;
-        let mut mark = |row: u32| {
-            if marks[row as usize] == u32::MAX {
-                marks[row as usize] = rows.len() as u32;
-                rows.push(row);
+        // The vertex with each of its rows, so that a seam's rows know the vertex that they are at.
+        let rows_at = |h: u32| (self.half_edges.origin(h), self.data.row(h, self.half_edges.origin(h)));
+        for (v, row) in faces.iter().flat_map(|&f| self.half_edges.around_face(f)).map(rows_at) {
+            for r in [v, row] {
+                if std::mem::replace(&mut marks[r as usize], 0) == u32::MAX {
+                    rows.push(r);
+                }
             }
-            marks[row as usize]
-        };
+        }
+        rows.sort_unstable_by_key(|&r| (self.vertex_of_row(r), r));
+        (0..).zip(&rows).for_each(|(k, &r)| marks[r as usize] = k);
         let mut out = Faces::with_capacity(faces.len(), corners)?;
         for (number, &f) in faces.iter().enumerate() {
-            let range = self.half_edges.around_face(f);
-            // The vertex's own row first, so that a seam's rows know the vertex that they are at.
-            let ring = range.map(|h| {
-                let v = self.half_edges.origin(h);
-                mark(v);
-                mark(self.data.row(h, v))
-            });
-            out.push_all(ring, number as u32);
+            let ring = self.half_edges.around_face(f);
+            out.push_all(ring.map(|h| marks[rows_at(h).1 as usize]), number as u32);
         }
         let mut input = Input::new(try_with_capacity("vertices", rows.len())?, out, Status::InvalidArgument);
         input.positions.extend(rows.iter().map(|&r| self.vertices[self.vertex_of_row(r) as usize]));

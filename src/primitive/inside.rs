@@ -37,7 +37,7 @@ pub fn contains(polygon: impl ExactSizeIterator<Item = [f64; 2]> + Clone, p: [f6
 /// +1 where the side passes the right of `p` upwards, -1 downwards, 0 not at all.
 fn crosses(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> i64 {
     let upwards = a[1] <= p[1] && b[1] > p[1];
-    if !upwards && !(b[1] <= p[1] && a[1] > p[1]) {
+    if !(upwards || b[1] <= p[1] && a[1] > p[1]) {
         return 0;
     }
     let [low, high] = if upwards { [a, b] } else { [b, a] };

@@ -60,6 +60,7 @@ static void meshes(void) {
   MEMBER(emb_mesh_report, area);
   MEMBER(emb_mesh_report, lo);
   MEMBER(emb_mesh_report, hi);
+  MEMBER(emb_mesh_report, warped_faces);
   STRUCT(emb_mesh_measure);
   MEMBER(emb_mesh_measure, struct_size);
   MEMBER(emb_mesh_measure, normal);
@@ -69,6 +70,29 @@ static void meshes(void) {
   MEMBER(emb_mesh_field, struct_size);
   MEMBER(emb_mesh_field, components);
   MEMBER(emb_mesh_field, count);
+}
+
+static void repairs(void) {
+  STRUCT(emb_repair_options);
+  MEMBER(emb_repair_options, struct_size);
+  MEMBER(emb_repair_options, flags);
+  MEMBER(emb_repair_options, fill_tag_rule);
+  MEMBER(emb_repair_options, fill_tag);
+  MEMBER(emb_repair_options, weld_tolerance);
+  MEMBER(emb_repair_options, hole_edges);
+  MEMBER(emb_repair_options, hole_length);
+  STRUCT(emb_repair_result);
+  MEMBER(emb_repair_result, struct_size);
+  MEMBER(emb_repair_result, vertices_welded);
+  MEMBER(emb_repair_result, faces_collapsed);
+  MEMBER(emb_repair_result, degenerate_faces);
+  MEMBER(emb_repair_result, duplicate_faces);
+  MEMBER(emb_repair_result, vertices_split);
+  MEMBER(emb_repair_result, faces_turned);
+  MEMBER(emb_repair_result, components_turned);
+  MEMBER(emb_repair_result, holes_filled);
+  MEMBER(emb_repair_result, holes_left);
+  MEMBER(emb_repair_result, faces_added);
 }
 
 static void diagnoses(void) {
@@ -204,6 +228,7 @@ int main(void) {
         strcmp(emb_isa(), "neon") == 0);
   runs_and_lattices();
   meshes();
+  repairs();
   diagnoses();
   geometries();
   outputs();

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  * Sizes that cannot be had are a status, never an abort: counts whose bytes overflow, a lattice of 2^40 points, an STL
- * that claims 2^31 triangles, and address space that runs out at any point of reading and building. */
+ * that claims 2^31 triangles, and address space that runs out at any point of building, asking, joining, splitting. */
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
 #include "check.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -81,29 +84,95 @@ static size_t used(void) {
   return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);
 }
 
-/* Builds and asks with `more` bytes of address space left; 0 where all went well, 1 where each failure was
- * EMB_ERROR_MEMORY, 2 otherwise. In a process of its own. */
-static int with_little_memory(const soup *s, size_t more) {
+/* What the calls below are given, made before memory runs short. */
+static soup ball;
+static emb_mesh *one, *two;
+static double *numbers;
+static int32_t *tags;
+static emb_mesh *wide; /* one face with `WIDE` numbers */
+enum { WIDE = 1 << 21 };
+
+/* Not a status: what was answered is wrong. */
+#define WRONG 1
+
+static emb_status build_and_ask(void) {
+  emb_mesh *mesh = NULL;
+  emb_geom *g = NULL;
+  emb_status answer = emb_mesh_from_triangles(ball.vertices, ball.xyz, ball.triangles, ball.indices, ball.tags, NULL,
+                                              &mesh);
+  if (answer == EMB_OK) {
+    answer = emb_geom_from_mesh(mesh, NULL, NULL, &g);
+  }
+  return answer == EMB_OK && !(fabs(emb_geom_value(g, 0, 0, 0) + 1.0) < 0.01) ? WRONG : answer;
+}
+
+/* The answer, where a mesh was made exactly if it is EMB_OK, with so many faces. */
+static emb_status made(emb_status answer, const emb_mesh *mesh, size_t faces) {
+  return emb_mesh_face_count(mesh) != (answer == EMB_OK ? faces : 0) ? WRONG : answer;
+}
+
+static emb_status join(void) {
+  const emb_mesh *const meshes[2] = {one, one};
+  emb_mesh *mesh = NULL;
+  emb_status answer = emb_mesh_join(2, meshes, EMB_JOIN_RENUMBER, NULL, &mesh);
+  return made(answer, mesh, 2 * ball.triangles);
+}
+
+static emb_status transform(void) {
+  emb_mesh *mesh = NULL;
+  emb_status answer = emb_mesh_transform(two, NULL, &mesh);
+  return made(answer, mesh, 2 * ball.triangles);
+}
+
+static emb_status split_components(void) {
+  emb_mesh *parts[2] = {NULL, NULL};
+  size_t count = 0;
+  emb_status answer = emb_mesh_split(two, EMB_SPLIT_COMPONENT, 2, parts, &count);
+  return count != (answer == EMB_OK ? 2u : 0u) ? WRONG : made(answer, parts[1], ball.triangles);
+}
+
+static emb_status split_tags(void) {
+  emb_mesh *parts[7] = {NULL, NULL, NULL, NULL, NULL, NULL, NULL};
+  size_t count = 0;
+  emb_status answer = emb_mesh_split(two, EMB_SPLIT_TAG, 7, parts, &count);
+  return count != (answer == EMB_OK ? 7u : 0u) || (answer == EMB_OK) != (parts[6] != NULL) ? WRONG : answer;
+}
+
+static emb_status with_field(void) {
+  emb_mesh *mesh = NULL;
+  emb_status answer = emb_mesh_with_field(two, EMB_ON_VERTICES, "more", 2, numbers, &mesh);
+  return made(answer, mesh, 2 * ball.triangles);
+}
+
+static emb_status with_tags(void) {
+  emb_mesh *mesh = NULL;
+  emb_status answer = emb_mesh_with_tags(two, tags, 0, NULL, NULL, &mesh);
+  return made(answer, mesh, 2 * ball.triangles);
+}
+
+static emb_status interpolate(void) {
+  static const int64_t face = 0;
+  emb_status answer;
+  numbers[0] = numbers[WIDE - 1] = -1.0;
+  answer = emb_mesh_interpolate(wide, EMB_ON_FACES, 0, 1, &face, NULL, NULL, 1, NULL, numbers);
+  return numbers[WIDE - 1] != (answer == EMB_OK ? 7.0 : -1.0) ? WRONG : answer;
+}
+
+/* Works with `more` bytes of address space left; 0 where all went well, 1 where it was EMB_ERROR_MEMORY, 2 otherwise.
+ * In a process of its own. */
+static int with_little_memory(emb_status (*work)(void), size_t more) {
   int status;
   pid_t child;
   fflush(stdout);
   child = fork();
   if (child == 0) {
     struct rlimit limit;
-    emb_mesh *mesh = NULL;
-    emb_geom *g = NULL;
     emb_status answer;
     limit.rlim_cur = limit.rlim_max = used() + more;
     if (setrlimit(RLIMIT_AS, &limit) != 0) {
       _exit(3);
     }
-    answer = emb_mesh_from_triangles(s->vertices, s->xyz, s->triangles, s->indices, s->tags, NULL, &mesh);
-    if (answer == EMB_OK) {
-      answer = emb_geom_from_mesh(mesh, NULL, NULL, &g);
-    }
-    if (answer == EMB_OK && !(fabs(emb_geom_value(g, 0, 0, 0) + 1.0) < 0.01)) {
-      _exit(4);
-    }
+    answer = work();
     _exit(answer == EMB_OK ? 0 : answer == EMB_ERROR_MEMORY ? 1 : 2);
   }
   if (child < 0 || waitpid(child, &status, 0) != child) {
@@ -112,25 +181,78 @@ static int with_little_memory(const soup *s, size_t more) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 100 + WTERMSIG(status);
 }
 
-static void memory_that_runs_out_is_a_status(void) {
-  soup s = soup_sphere(1.0, 300);
+/* From hardly anything to enough. */
+static void memory_runs_out(emb_status (*work)(void), size_t from, const char *name) {
   size_t more;
   int refused = 0, answered = 0;
-  /* from hardly anything to enough */
-  for (more = (size_t)1 << 18; more < (size_t)1 << 29; more += more / 8) {
-    int outcome = with_little_memory(&s, more);
-    if (!check_that(outcome == 0 || outcome == 1, "EMB_OK or EMB_ERROR_MEMORY", __FILE__, __LINE__)) {
+  for (more = from; more < (size_t)1 << 29 && answered < 3; more += more / 8) {
+    int outcome = with_little_memory(work, more);
+    if (!check_that(outcome == 0 || outcome == 1, name, __FILE__, __LINE__)) {
       printf("    with %lu bytes left: %s %d\n", (unsigned long)more, outcome > 100 ? "signal" : "outcome",
              outcome > 100 ? outcome - 100 : outcome);
     }
     refused += outcome == 1;
     answered += outcome == 0;
-    if (answered > 2) {
-      break;
-    }
   }
-  CHECK(refused > 5 && answered > 0);
-  soup_free(&s);
+  check_that(refused > 5 && answered > 0, name, __FILE__, __LINE__);
+}
+
+/* Frees blocks that do not touch, of which small allocations (a name, a handle) can be had to the last: only what grows
+ * with the mesh is to fail. */
+static void leave_small_blocks(void) {
+  enum { BLOCKS = 128 };
+  static void *blocks[BLOCKS];
+  int i;
+  for (i = 0; i < BLOCKS; i++) {
+    blocks[i] = need(malloc(i % 2 == 0 ? 2048 : 32));
+  }
+  for (i = 0; i < BLOCKS; i += 2) {
+    free(blocks[i]);
+  }
+}
+
+static void memory_that_runs_out_is_a_status(void) {
+  static const double corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  static const uint32_t triangle[3] = {0, 1, 2};
+  emb_mesh_options aside;
+  emb_mesh *plain = NULL, *moved = NULL;
+  const emb_mesh *both[2];
+  size_t i;
+  CHECK_OK(emb_mesh_options_init(&aside, sizeof aside));
+  aside.shift[0] = 5.0;
+  ball = soup_sphere(1.0, 300);
+  memory_runs_out(build_and_ask, 1 << 18, "building and asking");
+  soup_free(&ball);
+  leave_small_blocks();
+  ball = soup_sphere(1.0, 120);
+  tags = (int32_t *)need(calloc(2 * ball.triangles, sizeof *tags));
+  numbers = (double *)need(malloc(WIDE * sizeof *numbers));
+  for (i = 0; i < WIDE; i++) {
+    numbers[i] = 7.0;
+  }
+  plain = soup_mesh(&ball);
+  CHECK_OK(emb_mesh_with_field(plain, EMB_ON_VERTICES, "data", 1, numbers, &one));
+  CHECK_OK(emb_mesh_transform(one, &aside, &moved));
+  both[0] = one, both[1] = moved;
+  CHECK_OK(emb_mesh_join(2, both, EMB_JOIN_KEEP, NULL, &two));
+  emb_mesh_free(plain);
+  CHECK_OK(emb_mesh_from_triangles(3, corners, 1, triangle, NULL, NULL, &plain));
+  CHECK_OK(emb_mesh_with_field(plain, EMB_ON_FACES, "wide", WIDE, numbers, &wide));
+  memory_runs_out(join, 1 << 16, "emb_mesh_join");
+  memory_runs_out(transform, 1 << 16, "emb_mesh_transform");
+  memory_runs_out(split_components, 1 << 16, "emb_mesh_split by component");
+  memory_runs_out(split_tags, 1 << 16, "emb_mesh_split by tag");
+  memory_runs_out(with_field, 1 << 16, "emb_mesh_with_field");
+  memory_runs_out(with_tags, 1 << 16, "emb_mesh_with_tags");
+  memory_runs_out(interpolate, 1 << 16, "emb_mesh_interpolate");
+  emb_mesh_free(plain);
+  emb_mesh_free(moved);
+  emb_mesh_free(one);
+  emb_mesh_free(two);
+  emb_mesh_free(wide);
+  free(numbers);
+  free(tags);
+  soup_free(&ball);
 }
 
 /* valgrind needs address space of its own. */
@@ -142,6 +264,10 @@ static int under_valgrind(void) {
 int main(void) {
   const double origin[3] = {0, 0, 0};
   emb_geom *g;
+#ifdef __GLIBC__
+  /* What is large goes back to the system at once, so that no reserve of the heap hides that memory is short. */
+  mallopt(M_MMAP_THRESHOLD, 1 << 14);
+#endif
   CHECK_OK(emb_geom_sphere(origin, 1.0, &g));
   a_huge_lattice_is_answered(g);
   emb_geom_free(g);

@@ -160,6 +160,44 @@ static void tags_and_data_of_those_that_become_one(void) {
   emb_mesh_free(all);
 }
 
+/* Two cubes that meet in a corner, where the data differ: each face keeps what it had, also when they part again. */
+static void data_that_differ_at_a_common_vertex_stay_with_their_faces(void) {
+  static const double none = 0.0, all = 1.0;
+  emb_mesh *cubes[2], *whole, *parts[2] = {NULL, NULL};
+  emb_mesh_field field = {sizeof field, 0, 0};
+  double values[16];
+  size_t count = 0, k, found = 0;
+  int32_t piece;
+  cubes[0] = cube_with_data(0, 8, "a"), cubes[1] = cube_with_data(1, 9, "b");
+  whole = joined(2, (const emb_mesh *const *)cubes, EMB_JOIN_KEEP);
+  CHECK(emb_mesh_vertex_count(whole) == 15 && report_of(whole).components == 2);
+  CHECK_OK(emb_mesh_field_get(whole, EMB_ON_VERTICES, 0, &field, 0, NULL, &count));
+  CHECK(field.count == 16);
+  CHECK_OK(emb_mesh_field_values(whole, EMB_ON_VERTICES, 0, 0, 16, values));
+  CHECK(values[7] == 7.0 && values[8] == 11.0 && values[15] == 10.0);
+  for (piece = 0; piece < 2; piece++) {
+    for (k = 0; k < 3; k++) {
+      const double *weights[3] = {&none, &none, &none};
+      const int64_t face = 6; /* the first of the second cube */
+      double value = 0.0;
+      weights[k] = &all;
+      CHECK_OK(emb_mesh_interpolate(whole, EMB_ON_VERTICES, 0, 1, &face, &piece, weights, 1, NULL, &value));
+      CHECK(value >= 10.0 && value <= 13.0);
+      found += value == 10.0;
+    }
+  }
+  CHECK(found > 0);
+  CHECK_OK(emb_mesh_split(whole, EMB_SPLIT_COMPONENT, 2, parts, &count));
+  CHECK(count == 2 && same(parts[0], cubes[0]) && same(parts[1], cubes[1]));
+  for (k = 0; k < 2; k++) {
+    CHECK_OK(emb_mesh_field_get(parts[k], EMB_ON_VERTICES, 0, &field, 0, NULL, &count));
+    CHECK(field.count == 8);
+    emb_mesh_free(parts[k]);
+    emb_mesh_free(cubes[k]);
+  }
+  emb_mesh_free(whole);
+}
+
 static void a_mesh_is_moved_and_turned_over_with_its_data(void) {
   emb_mesh *cube = cube_with_data(0, 8, "a"), *moved = NULL, *flipped = NULL, *back = NULL;
   static description before, after;
@@ -302,6 +340,7 @@ static void handles_are_freed_in_any_order(void) {
 int main(void) {
   what_is_split_and_joined_is_the_same_again();
   tags_and_data_of_those_that_become_one();
+  data_that_differ_at_a_common_vertex_stay_with_their_faces();
   a_mesh_is_moved_and_turned_over_with_its_data();
   files_become_one_mesh();
   handles_are_freed_in_any_order();

@@ -106,3 +106,17 @@ TEST(an_open_mesh_has_no_sign_but_a_distance) {
     const std::vector<std::uint32_t> wild{0, 1, 99};
     CHECK(check::status_of([&] { embound::Mesh::from_triangles(corners, wild); }, "99") == EMB_ERROR_INVALID_ARGUMENT);
 }
+
+TEST(tags_are_replaced_and_named) {
+    const embound::Mesh cube = embound::Mesh::from_triangles(corners, triangles);
+    const std::vector<std::int32_t> sides{7, 7, 7, 7, 7, 7, 7, 7, 7, 7, -2, -2};
+    const embound::Mesh named = embound::with_tags(cube, sides, {{7, "wall"}, {-2, "inlet"}});
+    CHECK(embound::face_tags(named) == sides && embound::tags(named) == (std::vector<std::int32_t>{-2, 7}));
+    CHECK(embound::tag_name(named, 7) == "wall" && embound::tag_name(named, -2) == "inlet" && embound::tag_name(named, 0).empty());
+    CHECK(embound::tags(cube) == std::vector<std::int32_t>{0});
+    CHECK(embound::tag_name(embound::with_tags(named, sides), 7).empty());
+    const std::vector<std::int32_t> few{1, 2};
+    CHECK(check::status_of([&] { embound::with_tags(cube, few); }, "tags") == EMB_ERROR_INVALID_ARGUMENT);
+    CHECK(check::status_of([&] { embound::with_tags(cube, sides, {{7, "wall"}, {7, "roof"}}); }, "7") ==
+          EMB_ERROR_INVALID_ARGUMENT);
+}

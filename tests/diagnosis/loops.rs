@@ -2,7 +2,6 @@
 //! Boundary loops: simple, complete, in the right order and direction.
 
 use super::*;
-use embound::mesh::Triangle;
 use std::collections::BTreeMap;
 
 /// The boundary edges of a mesh as read, with the ways they run.
@@ -51,7 +50,7 @@ fn check(mesh: &Mesh) -> (usize, usize) {
         assert_eq!((chain.lo, chain.hi), (bounds.lo.to_array(), bounds.hi.to_array()));
         assert_eq!(chain.diagonal(), bounds.diagonal());
         let component = |a: u32, b: u32| {
-            let at_edge = |t: &&Triangle| t.vertices.contains(&a) && t.vertices.contains(&b);
+            let at_edge = |t: &&embound::mesh::Triangle| t.vertices.contains(&a) && t.vertices.contains(&b);
             found.component_of_face[mesh.triangles().iter().find(at_edge).expect("a face").face as usize]
         };
         assert_eq!(chain.component, component(vertices[0], vertices[1]));

@@ -43,8 +43,6 @@ fn what_is_not_the_xml_of_vtk_is_refused_with_its_offset() {
         ("<VTKFile type=\"PolyData\"><a></b>", "offset 32: </b> closes another element"),
         ("<VTKFile type=\"PolyData\">< a>", "offset 25: a tag has no name"),
         ("<VTKFile type=PolyData>", "<VTKFile>: \"type=PolyData\" is not an attribute"),
-        ("<VTKFile type=\"&x;\">", "<VTKFile>: \"&x;\" is not a reference"),
-        ("<VTKFile type=\"&#xd800;\">", "<VTKFile>: \"&#xd800;\" is not a reference"),
     ] {
         let message = refused(text.as_bytes());
         assert!(message.contains(wanted), "{text}: {message}");
@@ -196,10 +194,7 @@ fn a_small_file_cannot_claim_large_data() {
     let many = String::from_utf8_lossy(&bytes).replace("NumberOfPoints=\"3\"", "NumberOfPoints=\"45812984490\"");
     let message = refused(many.replace('\u{fffd}', "").as_bytes());
     assert!(message.contains("bytes, not 1099511627760"), "{message}");
-    let many = many
-        .replace("Float64", "Int8")
-        .replace("\"45812984490\"", "\"366503875925\"")
-        .replace("nts=\"3\"", "nts=\"3\"");
+    let many = many.replace("Float64", "Int8").replace("\"45812984490\"", "\"366503875925\"");
     let message = refused(many.as_bytes());
     assert!(message.contains("bytes, not 1099511627775"), "{message}");
 }

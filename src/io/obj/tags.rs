@@ -112,6 +112,7 @@ impl Tags {
     }
 
     /// The tag of each face, none at all where every one is 0, and the names of tags.
+    #[allow(clippy::type_complexity)]
     pub fn finish(self) -> Result<(Vec<i32>, Vec<(i32, String)>)> {
         let Tags { mut names, combinations, kinds, numbers, kind_of_face, .. } = self;
         let mut free = (0..).filter(|n| !numbers.contains_key(n) && !names.contains_key(n));

@@ -236,7 +236,7 @@ fn read_ring(
     for _ in 0..length {
         let index = numbers.next(t)?;
         let known = index >= 0.0 && index < vertices as f64 && index.fract() == 0.0;
-        if !known && !(breaks && index == -1.0) {
+        if !(known || breaks && index == -1.0) {
             return Err(Error::parse(format!(
                 "{}: the index {index} of face {item} does not count one of {vertices} vertices",
                 numbers.place()

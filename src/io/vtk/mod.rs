@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Legacy VTK PolyData.
+//! Legacy VTK PolyData (Kitware, "VTK File Formats"), as text or big-endian bytes, in the forms of versions up to 5.
+//! Polygons and triangle strips are faces; vertices and lines are stepped over. Cell data `tag` of one integer are the
+//! tags.
 
-use crate::error::{Error, Result};
-use crate::mesh::{Input, Mesh};
+mod cursor;
+mod data;
+mod read;
+mod write;
 
-/// Reads a file.
-pub(super) fn read(_bytes: &[u8]) -> Result<Input> {
-    Err(Error::unsupported("not in this version"))
-}
-
-/// The bytes of a file with the surface as it stands.
-pub(super) fn write(_mesh: &Mesh) -> Result<Vec<u8>> {
-    Err(Error::unsupported("not in this version"))
-}
+pub(super) use read::read;
+pub(super) use write::write;

@@ -4,9 +4,9 @@
 use super::base64::Base64;
 use super::blocks::Source;
 use super::document::{Document, Section};
-use super::number::Number;
 use super::xml::{Tag, shortened, wrong};
 use crate::error::{Error, Result, try_with_capacity};
+use crate::io::number::Number;
 use crate::io::text::one_line;
 use crate::io::words::Words;
 

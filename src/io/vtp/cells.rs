@@ -7,10 +7,10 @@ use crate::error::{Result, try_with_capacity};
 use crate::mesh::Faces;
 
 /// Cells of one kind.
-pub(super) struct Cells {
+pub(in crate::io) struct Cells {
     /// Where each ends in the corners.
-    ends: Vec<usize>,
-    corners: Vec<u32>,
+    pub ends: Vec<usize>,
+    pub corners: Vec<u32>,
 }
 
 /// The array of a section with this name.
@@ -45,7 +45,7 @@ pub(super) fn ends(document: &Document, piece: usize, section: Section, count: u
 
 impl Cells {
     /// The cells of a section, whose corners are numbers below `points`, all plus `first`.
-    pub fn read(
+    pub(super) fn read(
         document: &Document,
         piece: usize,
         section: Section,

@@ -5,11 +5,10 @@
 mod array;
 mod base64;
 mod blocks;
-mod cells;
+pub(super) mod cells;
 mod document;
 mod fields;
-mod number;
-mod read;
+pub(super) mod read;
 mod write;
 mod xml;
 

@@ -10,7 +10,7 @@ use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
 use std::collections::BTreeMap;
 
 /// The cell data that is the tags, and the arrays outside pieces that name them.
-pub(super) const TAG: &str = "tag";
+pub(in crate::io) const TAG: &str = "tag";
 pub(super) const TAG_NUMBERS: &str = "tag_numbers";
 pub(super) const TAG_NAMES: &str = "tag_names";
 
@@ -43,7 +43,7 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
 }
 
 /// Whether a face field is what tags are read from: one integer that i32 holds.
-pub(super) fn is_tags(field: &Field) -> bool {
+pub(in crate::io) fn is_tags(field: &Field) -> bool {
     let integer = !matches!(field.kind, FieldType::F32 | FieldType::F64);
     field.name == TAG && field.components == 1 && integer && field.values.iter().all(|x| f64::from(*x as i32) == *x)
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Writing VTP: one piece of polygons, all data appended as little-endian bytes with sizes of 64 bits.
 
-use super::number::Number;
 use super::read::{TAG, TAG_NAMES, TAG_NUMBERS, is_tags};
 use crate::error::{Error, Result, try_with_capacity};
+use crate::io::number::Number;
 use crate::io::text::{Text, attribute, one_line};
 use crate::mesh::{Field, Mesh};
 

@@ -122,7 +122,7 @@ impl<'a> Tag<'a> {
             let (key, value, after) = self.first(rest)?;
             if key == name.as_bytes() {
                 let value = String::from_utf8_lossy(value);
-                return if value.contains('&') { Ok(Some(self.expanded(&value)?.into())) } else { Ok(Some(value)) };
+                return Ok(Some(if value.contains('&') { expanded(&value).into() } else { value }));
             }
             rest = after.trim_ascii_start();
         }
@@ -153,32 +153,39 @@ impl<'a> Tag<'a> {
         let shown = || String::from_utf8_lossy(&text[..text.len().min(40)]);
         parts().ok_or_else(|| self.wrong(format_args!("\"{}\" is not an attribute", shown())))
     }
+}
 
-    /// A value with its references replaced by what they stand for.
-    fn expanded(&self, value: &str) -> Result<String> {
-        let mut out = String::new();
-        let mut rest = value;
-        while let Some((before, after)) = rest.split_once('&') {
-            out.push_str(before);
-            let (reference, after) = after.split_once(';').unwrap_or((after, ""));
-            let number = || match reference.strip_prefix("#x") {
-                Some(digits) => u32::from_str_radix(digits, 16).ok(),
-                None => reference.strip_prefix('#')?.parse().ok(),
+/// A value with its references replaced by what they stand for. VTK writes `&` for itself in names, so what is no
+/// reference stays.
+fn expanded(value: &str) -> String {
+    let mut out = String::new();
+    let mut rest = value;
+    while let Some((before, after)) = rest.split_once('&') {
+        out.push_str(before);
+        let reference = after.split_once(';').and_then(|(name, after)| Some((referred(name)?, after)));
+        let (character, after) = reference.unwrap_or(('&', after));
+        out.push(character);
+        rest = after;
+    }
+    out + rest
+}
+
+/// The character that a reference stands for.
+fn referred(name: &str) -> Option<char> {
+    match name {
+        "lt" => Some('<'),
+        "gt" => Some('>'),
+        "amp" => Some('&'),
+        "quot" => Some('"'),
+        "apos" => Some('\''),
+        _ => {
+            let digits = name.strip_prefix('#')?;
+            let number = match digits.strip_prefix('x') {
+                Some(digits) => u32::from_str_radix(digits, 16),
+                None => digits.parse(),
             };
-            let character = match reference {
-                "lt" => Some('<'),
-                "gt" => Some('>'),
-                "amp" => Some('&'),
-                "quot" => Some('"'),
-                "apos" => Some('\''),
-                _ => number().and_then(char::from_u32),
-            };
-            let unknown = || self.wrong(format_args!("\"&{};\" is not a reference", shortened(reference)));
-            out.push(character.ok_or_else(unknown)?);
-            rest = after;
+            number.ok().and_then(char::from_u32)
         }
-        out.push_str(rest);
-        Ok(out)
     }
 }
 

@@ -79,7 +79,7 @@ pub struct Repairs {
 
 impl RepairOptions {
     fn check(&self) -> Result<()> {
-        if !(self.hole_length >= 0.0) {
+        if self.hole_length.is_nan() || self.hole_length < 0.0 {
             return Err(Error::invalid(format!("options.hole_length: {} is not at least 0", self.hole_length)));
         }
         let w = self.weld_tolerance;
@@ -109,7 +109,7 @@ impl Mesh {
         let mut done = Repairs::default();
         let mut mesh = self.copied()?;
         if options.weld {
-            mesh = mesh.step(|input| Ok(input), &MeshOptions { weld_tolerance: options.weld_tolerance, ..kept() })?;
+            mesh = mesh.step(Ok, &MeshOptions { weld_tolerance: options.weld_tolerance, ..kept() })?;
             done.vertices_welded = self.vertices.len() - mesh.vertices.len();
             done.faces_collapsed = self.half_edges.face_count() - mesh.half_edges.face_count();
         }
@@ -137,13 +137,13 @@ impl Mesh {
         if options.orient {
             mesh = mesh.oriented()?;
         }
-        if options.holes {
-            if let Some(input) = holes::fill(&mesh, options, &mut done)? {
-                mesh = build(input, &kept())?;
-                // What was open had no outside.
-                if options.orient {
-                    mesh = mesh.oriented()?;
-                }
+        if options.holes
+            && let Some(input) = holes::fill(&mesh, options, &mut done)?
+        {
+            mesh = build(input, &kept())?;
+            // What was open had no outside.
+            if options.orient {
+                mesh = mesh.oriented()?;
             }
         }
         if let Some(original) = original {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! The types of numbers that VTK's XML names, and their bytes.
+//! The types of numbers that files hold, with the names that VTK's XML has for them, and their bytes.
 
 use crate::error::{Result, try_with_capacity};
 use crate::mesh::FieldType;
 
 /// A type of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::io) enum Number {
+pub(super) enum Number {
     I8,
     U8,
     I16,

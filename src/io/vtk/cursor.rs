@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! A legacy VTK file word by word, and its arrays of numbers, as text or as big-endian bytes.
+
+use crate::error::{Error, Result, try_with_capacity};
+use crate::io::number::Number;
+use crate::io::words::Words;
+
+pub(super) struct Cursor<'a> {
+    bytes: &'a [u8],
+    words: Words<'a>,
+    pub binary: bool,
+}
+
+impl<'a> Cursor<'a> {
+    pub fn new(bytes: &'a [u8]) -> Cursor<'a> {
+        Cursor { bytes, words: Words::from_line(bytes, 1), binary: false }
+    }
+
+    /// The next word; empty at the end.
+    pub fn word(&mut self) -> &'a [u8] {
+        self.words.next()
+    }
+
+    /// The word after this one, which stays.
+    pub fn peek(&self) -> &'a [u8] {
+        self.words.clone().next()
+    }
+
+    pub fn rest_of_line(&mut self) -> String {
+        self.words.rest_of_line()
+    }
+
+    /// The next word as text, its %-escapes resolved.
+    pub fn name(&mut self) -> Result<String> {
+        let word = self.words.next();
+        if word.is_empty() {
+            return Err(self.words.unexpected(word, "a name"));
+        }
+        Ok(unescaped(word))
+    }
+
+    /// The next word as a count.
+    pub fn count(&mut self) -> Result<usize> {
+        let word = self.words.next();
+        self.words.parsed(word, "a count")
+    }
+
+    /// Where the cursor is, for messages.
+    pub fn place(&self) -> String {
+        if self.binary { format!("offset {}", self.at()) } else { format!("line {}", self.words.line()) }
+    }
+
+    pub fn wrong(&self, what: impl std::fmt::Display) -> Error {
+        Error::parse(format!("{}: {what}", self.place()))
+    }
+
+    fn at(&self) -> usize {
+        self.bytes.len() - self.words.left()
+    }
+
+    fn go_to(&mut self, at: usize) {
+        self.words = Words::from_line(&self.bytes[at..], self.words.line());
+    }
+
+    /// Steps over the end of the line, behind which bytes begin.
+    fn end_line(&mut self) {
+        self.words.rest_of_line();
+        let rest = &self.bytes[self.at()..];
+        let ends = if rest.starts_with(b"\r\n") { 2 } else { usize::from(!rest.is_empty()) };
+        self.words = Words::from_line(&rest[ends..], self.words.line() + ends.min(1));
+    }
+
+    /// So many numbers. Nothing is allocated by the claim alone.
+    pub fn numbers(&mut self, count: usize, number: Number) -> Result<Vec<f64>> {
+        if !self.binary {
+            if count > self.words.left() {
+                return Err(self.wrong(format_args!("{} bytes left cannot hold {count} numbers", self.words.left())));
+            }
+            let mut values = try_with_capacity("values", count)?;
+            for _ in 0..count {
+                let word = self.words.next();
+                values.push(self.words.parsed(word, "a number")?);
+            }
+            return Ok(values);
+        }
+        let bytes = self.raw(count, number.size())?;
+        number.decode(bytes, true)
+    }
+
+    /// The bytes of so many items behind the end of the line.
+    pub fn raw(&mut self, count: usize, size: usize) -> Result<&'a [u8]> {
+        self.end_line();
+        let at = self.at();
+        let needed = count.checked_mul(size).and_then(|n| n.checked_add(at)).filter(|end| *end <= self.bytes.len());
+        let Some(end) = needed else {
+            let left = self.bytes.len() - at;
+            return Err(self.wrong(format_args!("{left} bytes left cannot hold {count} items of {size} bytes")));
+        };
+        let bytes = &self.bytes[at..end];
+        self.go_to(end);
+        Ok(bytes)
+    }
+
+    /// Steps over lines up to an empty one.
+    pub fn skip_block(&mut self) {
+        self.end_line();
+        while self.words.left() > 0 && !self.words.rest_of_line().is_empty() {
+            self.end_line();
+        }
+    }
+
+    /// Steps over so many lines.
+    pub fn skip_lines(&mut self, count: usize) {
+        for _ in 0..count.min(self.words.left()) {
+            self.end_line();
+        }
+    }
+}
+
+/// %20 and the like become what they stand for.
+fn unescaped(word: &[u8]) -> String {
+    let mut out = Vec::new();
+    let mut k = 0;
+    while let Some(&b) = word.get(k) {
+        let code = word.get(k + 1..k + 3).and_then(|hex| std::str::from_utf8(hex).ok());
+        match code.and_then(|hex| u8::from_str_radix(hex, 16).ok()).filter(|_| b == b'%') {
+            Some(byte) => {
+                out.push(byte);
+                k += 3;
+            }
+            None => {
+                out.push(b);
+                k += 1;
+            }
+        }
+    }
+    String::from_utf8_lossy(&out).chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+/// White space, quotes and percent signs as %20 and the like.
+pub(super) fn escaped(name: &str) -> String {
+    let mut out = String::new();
+    for b in name.bytes() {
+        if b.is_ascii_graphic() && b != b'%' && b != b'"' {
+            out.push(b as char);
+        } else {
+            out += &format!("%{b:02X}");
+        }
+    }
+    out
+}
+
+/// The type of numbers that a word names.
+pub(super) fn type_of(word: &[u8]) -> Option<Number> {
+    Some(match &word.to_ascii_lowercase()[..] {
+        b"char" | b"signed_char" | b"vtktypeint8" => Number::I8,
+        b"unsigned_char" | b"vtktypeuint8" => Number::U8,
+        b"short" | b"vtktypeint16" => Number::I16,
+        b"unsigned_short" | b"vtktypeuint16" => Number::U16,
+        b"int" | b"vtktypeint32" => Number::I32,
+        b"unsigned_int" | b"vtktypeuint32" => Number::U32,
+        b"long" | b"long_long" | b"vtktypeint64" | b"vtkidtype" => Number::I64,
+        b"unsigned_long" | b"unsigned_long_long" | b"vtktypeuint64" => Number::U64,
+        b"float" => Number::F32,
+        b"double" => Number::F64,
+        _ => return None,
+    })
+}
