@@ -1254,6 +1254,7 @@ emb_status emb_diagnosis_component(const emb_diagnosis *diagnosis,
 emb_status emb_diagnosis_loop(const emb_diagnosis *diagnosis, size_t index, emb_mesh_loop *boundary);
 
 // Edges of more than two faces: two vertices each, the lower first, and the number of faces at each.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_nonmanifold_edges(const emb_diagnosis *diagnosis,
                                            size_t capacity,
                                            uint32_t *out_vertices,
@@ -1261,7 +1262,8 @@ emb_status emb_diagnosis_nonmanifold_edges(const emb_diagnosis *diagnosis,
                                            size_t *out_count);
 
 // The faces at the edge `index` of emb_diagnosis_nonmanifold_edges, ascending.
-// Errors besides: EMB_ERROR_INVALID_ARGUMENT (index).
+// Also EMB_ERROR_INVALID_ARGUMENT: index.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_nonmanifold_edge_faces(const emb_diagnosis *diagnosis,
                                                 size_t index,
                                                 size_t capacity,
@@ -1269,6 +1271,7 @@ emb_status emb_diagnosis_nonmanifold_edge_faces(const emb_diagnosis *diagnosis,
                                                 size_t *out_count);
 
 // Edges that two faces run along the same way: two vertices and two faces each, the lower first.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_inconsistent_edges(const emb_diagnosis *diagnosis,
                                             size_t capacity,
                                             uint32_t *out_vertices,
@@ -1277,6 +1280,7 @@ emb_status emb_diagnosis_inconsistent_edges(const emb_diagnosis *diagnosis,
 
 // Vertices at which the faces do not form one fan or one disc, and into how many fans and discs they fall: an edge
 // of more than two faces parts them.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_nonmanifold_vertices(const emb_diagnosis *diagnosis,
                                               size_t capacity,
                                               uint32_t *out_vertices,
@@ -1284,12 +1288,14 @@ emb_status emb_diagnosis_nonmanifold_vertices(const emb_diagnosis *diagnosis,
                                               size_t *out_count);
 
 // Faces that welding took corners from; those left with fewer than three are gone.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_shrunk_faces(const emb_diagnosis *diagnosis,
                                       size_t capacity,
                                       int64_t *out_faces,
                                       size_t *out_count);
 
 // Faces of three or more corners and exactly zero area.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_flat_faces(const emb_diagnosis *diagnosis,
                                     size_t capacity,
                                     int64_t *out_faces,
@@ -1297,6 +1303,7 @@ emb_status emb_diagnosis_flat_faces(const emb_diagnosis *diagnosis,
 
 // Faces that repeat an earlier one, whichever way they run: each with the earliest that it repeats, and with 1 where
 // both run the same way, else 0.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_duplicates(const emb_diagnosis *diagnosis,
                                     size_t capacity,
                                     int64_t *out_faces,
@@ -1305,6 +1312,7 @@ emb_status emb_diagnosis_duplicates(const emb_diagnosis *diagnosis,
                                     size_t *out_count);
 
 // Slivers, and for each its smallest height over its longest edge (emb_diagnosis_options.sliver_ratio).
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_slivers(const emb_diagnosis *diagnosis,
                                  size_t capacity,
                                  int64_t *out_faces,
@@ -1313,6 +1321,7 @@ emb_status emb_diagnosis_slivers(const emb_diagnosis *diagnosis,
 
 // Faces that emb_mesh_report.warped_faces counts, and by how much each is off a plane, over the diagonal of the box
 // around it: nothing where a plane face crosses itself.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_warped_faces(const emb_diagnosis *diagnosis,
                                       size_t capacity,
                                       int64_t *out_faces,
@@ -1321,6 +1330,7 @@ emb_status emb_diagnosis_warped_faces(const emb_diagnosis *diagnosis,
 
 // Faces whose corners are off a plane by more than emb_diagnosis_options.off_plane_ratio, and by how much, over the
 // diagonal of the box around the face.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_off_plane_faces(const emb_diagnosis *diagnosis,
                                          size_t capacity,
                                          int64_t *out_faces,
@@ -1329,12 +1339,14 @@ emb_status emb_diagnosis_off_plane_faces(const emb_diagnosis *diagnosis,
 
 // Pairs of faces that intersect, the lower of each first: as many as were listed, none where they were not looked for
 // (emb_diagnosis_options.intersection_limit).
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_intersections(const emb_diagnosis *diagnosis,
                                        size_t capacity,
                                        int64_t *out_faces,
                                        size_t *out_count);
 
 // The component of each input face; EMB_NO_INDEX for those that welding left fewer than three corners.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_face_components(const emb_diagnosis *diagnosis,
                                          size_t capacity,
                                          uint32_t *out_components,
@@ -1342,7 +1354,8 @@ emb_status emb_diagnosis_face_components(const emb_diagnosis *diagnosis,
 
 // The vertices of the boundary loop `index`, in order, each once, from the lowest on (of a chain that does not close,
 // from the lower of its ends). It runs the way the faces at it ran when read, where these agree: seen from outside,
-// clockwise round a hole. Errors besides: EMB_ERROR_INVALID_ARGUMENT (index).
+// clockwise round a hole. Also EMB_ERROR_INVALID_ARGUMENT: index.
+// Capacity, errors and cost: see emb_diagnosis.
 emb_status emb_diagnosis_loop_vertices(const emb_diagnosis *diagnosis,
                                        size_t index,
                                        size_t capacity,

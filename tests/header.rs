@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 25] = [
+const SOURCES: [&str; 26] = [
     "constants",
     "error",
     "callback",
