@@ -263,3 +263,38 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         assert!(read(&[bytes, b"more".to_vec()].concat()).is_ok(), "bytes behind the last item");
     }
 }
+
+#[test]
+fn names_that_ply_cannot_keep_apart_are_refused_when_written() {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("clash.ply");
+    let mesh = bodies::icosphere(0).mesh();
+    let field =
+        |name: &str, n: usize| Field { name: name.into(), kind: FieldType::F64, components: 1, values: vec![1.0; n] };
+    let both = mesh.with_field(false, field("a b", 12)).unwrap().with_field(false, field("a_b", 12)).unwrap();
+    let own = [
+        mesh.with_field(false, field("X", 12)),
+        mesh.with_field(true, field("vertex_indices", 20)),
+        mesh.with_field(true, field("tag", 20)),
+    ];
+    for mesh in own.into_iter().map(Result::unwrap).chain([both]) {
+        assert_eq!(io::write(&mesh, &path).unwrap_err().status(), Status::Unsupported);
+    }
+}
+
+#[test]
+fn elements_that_would_mix_up_data_are_refused() {
+    let strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+    let file = cube()
+        .replace("end_header\n", "property int mark\nend_header\n")
+        .replace("element face", &format!("{strips}element face"));
+    assert_eq!(read(file.as_bytes()).unwrap_err().status(), Status::Unsupported);
+    let twice = cube().replace("end_header\n", "element face 1\nproperty list int int vertex_indices\nend_header\n");
+    assert_eq!(refused(twice.as_bytes()), "element face: it is there twice");
+    // A line feed as the first byte behind a header of CR alone is the first number's.
+    let big = binary(&cube().replace("0 0 0\n", "8 0 0\n").replace("float", "double"), false);
+    let split = big.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
+    let mut bytes: Vec<u8> = big[..split].iter().map(|b| if *b == b'\n' { b'\r' } else { *b }).collect();
+    bytes.extend(&big[split..]);
+    bytes[split] = b'\n';
+    assert!(read(&bytes).is_ok());
+}

@@ -225,3 +225,13 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         }
     }
 }
+
+#[test]
+fn sections_of_data_must_all_fit_and_strips_do_not_multiply_them_without_bound() {
+    let none = "CELL_DATA 0\nSCALARS tag int 1\nLOOKUP_TABLE default\nCELL_DATA 6\nSCALARS u int 1\nLOOKUP_TABLE default\n1 2 3 4 5 6\n";
+    assert_eq!(refused(file("3.0", &[POINTS, OLD, none]).as_bytes()), "CELL_DATA: \"tag\" has 0 items for 6");
+    let strip = format!("TRIANGLE_STRIPS 1 20001\n20000 {}\n", "0 1 2 3 ".repeat(5000));
+    let arrays: String = (0..400).map(|k| format!("a{k} 1 1 int\n{k}\n")).collect();
+    let text = file("3.0", &[POINTS, &strip, "CELL_DATA 1\nFIELD FieldData 400\n", &arrays]);
+    assert_eq!(read(text.as_bytes()).unwrap_err().status(), Status::Unsupported);
+}

@@ -3,6 +3,7 @@
 
 use crate::error::{Error, Result};
 use crate::mesh::FieldType;
+use std::collections::BTreeSet;
 
 /// How the numbers are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +57,8 @@ pub(super) struct Header {
     pub end: usize,
     /// The lines up to there.
     pub lines: usize,
+    /// Properties by the number of their element.
+    names: BTreeSet<(usize, String)>,
 }
 
 /// Properties that are one field of several components, or one whose name holds white space.
@@ -89,7 +92,9 @@ pub(super) fn is_integer(t: FieldType) -> bool {
 
 /// Reads up to `end_header`.
 pub(super) fn read(bytes: &[u8]) -> Result<Header> {
-    let mut lines = Lines { bytes, at: 0, line: 0 };
+    let end = bytes.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(0);
+    let alone = bytes.get(end) == Some(&b'\r') && bytes.get(end + 1) != Some(&b'\n');
+    let mut lines = Lines { bytes, at: 0, line: 0, alone };
     let mut header = Header {
         encoding: Encoding::Ascii,
         elements: Vec::new(),
@@ -97,6 +102,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
         vectors: Vec::new(),
         end: 0,
         lines: 0,
+        names: BTreeSet::new(),
     };
     let mut encoding = None;
     lines.next()?;
@@ -140,10 +146,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
 
 impl Header {
     fn add(&mut self, name: &str, shape: Shape, line: usize) -> Result<()> {
+        let fresh = self.names.insert((self.elements.len(), name.to_owned()));
         let Some(element) = self.elements.last_mut() else {
             return Err(Error::parse(format!("line {line}: the property \"{}\" has no element", shown(name))));
         };
-        if element.properties.iter().any(|p| p.name == name) {
+        if !fresh {
             return Err(Error::parse(format!("line {line}: the property \"{}\" is there already", shown(name))));
         }
         element.properties.push(Property { name: name.to_owned(), shape });
@@ -202,6 +209,8 @@ struct Lines<'a> {
     bytes: &'a [u8],
     at: usize,
     line: usize,
+    /// Whether CR alone ends lines, so that a LF behind one belongs to what follows.
+    alone: bool,
 }
 
 impl Lines<'_> {
@@ -212,7 +221,7 @@ impl Lines<'_> {
         let Some(length) = rest.iter().position(|b| matches!(b, b'\n' | b'\r')) else {
             return Err(Error::parse(format!("line {}: the file ends within the PLY header", self.line)));
         };
-        let ends = if rest[length..].starts_with(b"\r\n") { 2 } else { 1 };
+        let ends = if !self.alone && rest[length..].starts_with(b"\r\n") { 2 } else { 1 };
         self.at += length + ends;
         Ok(String::from_utf8_lossy(&rest[..length]).into_owned())
     }

@@ -10,6 +10,7 @@ use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
 /// Reads a file.
 pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
     let header = header::read(bytes)?;
+    check_elements(&header)?;
     let vertices = header.elements.iter().find(|e| e.is("vertex")).map_or(0, |e| e.count);
     if vertices >= u32::MAX as usize {
         return Err(Error::parse(format!("element vertex: {vertices} are more than {}", u32::MAX - 1)));
@@ -43,6 +44,21 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
         input.tags.resize(count, 0);
     }
     Ok(input)
+}
+
+/// Each element that matters comes once, and data of faces belong to all of them.
+fn check_elements(header: &Header) -> Result<()> {
+    let all = |name: &'static str| header.elements.iter().filter(move |e| e.is(name) && e.count > 0);
+    for name in ["vertex", "face", "tristrips"] {
+        if all(name).count() > 1 {
+            return Err(Error::parse(format!("element {name}: it is there twice")));
+        }
+    }
+    let has_data = |e: &Element| e.properties.iter().any(|p| matches!(p.shape, Shape::Scalar(_)));
+    if all("tristrips").next().is_some() && all("face").any(has_data) {
+        return Err(Error::unsupported("element face: it has data, and the element tristrips beside it has none"));
+    }
+    Ok(())
 }
 
 /// Nothing is allocated by the claim alone.

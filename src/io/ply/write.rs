@@ -4,10 +4,12 @@
 use super::header::Vector;
 use crate::error::{Error, Result, try_with_capacity};
 use crate::mesh::{Field, FieldType, Mesh};
+use std::collections::BTreeSet;
 
 /// The bytes of a file with the surface as it stands: one vertex a row of the vertex data, so that corners of
 /// one position and different data stay apart. Faces are numbered anew.
 pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
+    check_names(mesh)?;
     let rows = mesh.row_count();
     let topology = mesh.half_edges();
     let tagged = mesh.is_tagged();
@@ -64,6 +66,30 @@ fn header(mesh: &Mesh, rows: usize, tagged: bool) -> String {
     }
     declare(&mut text, &of_faces);
     text + "end_header\n"
+}
+
+/// No two properties may have one name.
+fn check_names(mesh: &Mesh) -> Result<()> {
+    for (on_faces, fields, own) in
+        [(false, mesh.vertex_fields(), &["x", "y", "z"][..]), (true, mesh.face_fields(), &["vertex_indices", "tag"])]
+    {
+        let mut names: BTreeSet<String> = own.iter().map(|n| (*n).to_owned()).collect();
+        for field in fields {
+            let vector = Vector { on_faces, components: field.components, name: field.name.clone() };
+            for c in 0..field.components {
+                let name = vector.property(c);
+                if names.contains(&name.to_ascii_lowercase()) && own.contains(&&name.to_ascii_lowercase()[..])
+                    || !names.insert(name.clone())
+                {
+                    return Err(Error::unsupported(format!(
+                        "data \"{}\": PLY has another property {name}",
+                        field.name
+                    )));
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A property for each component.

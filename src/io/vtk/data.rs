@@ -97,9 +97,15 @@ impl Data {
 
     /// The fields, if there are as many items as the mesh has.
     pub fn finish(self, what: &str, items: usize) -> Result<Vec<Field>> {
-        match self.count.filter(|count| *count != items) {
-            Some(count) => Err(Error::parse(format!("{what}: {count} items for {items}"))),
-            None => Ok(self.fields),
+        // A file may have several sections, each with a count of its own.
+        let wrong = self.fields.iter().find(|f| f.values.len() != items * f.components);
+        match (self.count.filter(|count| *count != items), wrong) {
+            (Some(count), _) => Err(Error::parse(format!("{what}: {count} items for {items}"))),
+            (_, Some(f)) => {
+                let count = f.values.len() / f.components;
+                Err(Error::parse(format!("{what}: \"{}\" has {count} items for {items}", f.name)))
+            }
+            _ => Ok(self.fields),
         }
     }
 }

@@ -57,7 +57,7 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
             },
         }
     }
-    file.finish()
+    file.finish(bytes.len())
 }
 
 impl<'a> File<'a> {
@@ -197,7 +197,7 @@ impl<'a> File<'a> {
         Ok(Cells { ends, corners })
     }
 
-    fn finish(self) -> Result<Input> {
+    fn finish(self, size: usize) -> Result<Input> {
         let (points, cells) = (self.points.len(), self.other_cells + self.polygons.count() + self.strips.count());
         let end = self.cursor.place();
         let mut faces = Faces::with_capacity(self.polygons.count(), self.polygons.corners.len())?;
@@ -222,6 +222,11 @@ impl<'a> File<'a> {
             let tags = of_cells.remove(at);
             input.tags = try_with_capacity("tags", cell_of.len())?;
             input.tags.extend(cell_of.iter().map(|c| tags.values[*c as usize] as i32));
+        }
+        // A strip's data are those of each of its triangles: many data of a long strip would be more than the file.
+        let values = of_cells.iter().map(|f| f.components).sum::<usize>().saturating_mul(cell_of.len());
+        if values > 2 * size + (1 << 20) {
+            return Err(Error::unsupported(format!("CELL_DATA: {values} values for the triangles of strips")));
         }
         for field in of_cells {
             input.face_data.push(field.gathered(cell_of.iter().copied())?);
