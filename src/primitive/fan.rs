@@ -101,13 +101,9 @@ mod tests {
 
     #[test]
     fn folds_and_fans_that_come_round_again_are_not() {
-        for turns in [&[0.0, 0.4, 0.8, 1.0][..], &[0.0, 0.4, 0.8, 1.2], &[0.0, 0.4, 0.8, 1.2, 1.6]] {
+        for turns in [&[0.0, 0.2, 0.1][..], &[0.0, 0.4, 0.8, 1.0], &[0.0, 0.4, 0.8, 1.2], &[0.0, 0.4, 0.8, 1.2, 1.6]] {
             assert!(!clear(Vec3::ZERO, &ring(turns), false, 0.0), "{turns:?}");
         }
-        // Folded in a plane; on the cone two triangles that share an edge have no more in common.
-        let folded = ring(&[0.0, 0.2, 0.1]);
-        let flat: Vec<Vec3> = folded.iter().map(|p| Vec3::new(p.x, p.y, 0.0)).collect();
-        assert!(!clear(Vec3::ZERO, &flat, false, 0.0) && clear(Vec3::ZERO, &folded, false, 0.0));
         // Twice round, closed, with and without a spoke that repeats the first.
         assert!(!clear(Vec3::ZERO, &ring(&[0.0, 0.4, 0.8, 1.2, 1.6]), true, 0.0));
         assert!(!clear(Vec3::ZERO, &ring(&[0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75]), true, 0.0));
