@@ -8,7 +8,7 @@ use super::handle::{lend, writable};
 use super::mesh::emb_mesh;
 use crate::error::{Error, Result};
 use crate::math::Vec3;
-use crate::primitive::inside::{Inside, contains};
+use crate::mesh::{Inside, polygon_contains};
 
 /// Whether a point of the plane lies in a polygon of `count` corners, x y each, whichever way they run: 1 or 0 to
 /// *out_inside. `method` is EMB_POLYGON_CROSSING, _WINDING or _ANGLE. Fewer than three corners hold nothing. Cost: linear.
@@ -31,7 +31,7 @@ pub unsafe extern "C" fn emb_polygon_contains(
         finite("point", &point)?;
         writable("out_inside", out_inside)?;
         let corners = corners.chunks_exact(2).map(|c| [c[0], c[1]]);
-        out_inside.write(contains(corners, point, method).into());
+        out_inside.write(polygon_contains(corners, point, method).into());
         Ok(())
     })
 }

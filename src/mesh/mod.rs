@@ -41,6 +41,8 @@ pub(crate) use input::Input;
 pub use options::{MeshOptions, Orient};
 pub use repair::{RepairOptions, Repairs};
 
+pub use crate::primitive::inside::{Inside, contains as polygon_contains};
+
 use crate::error::Result;
 use crate::math::{Aabb, Vec3};
 
