@@ -70,6 +70,8 @@ fn generated(name: &str) -> Option<Soup> {
     Some(match name {
         "million" => bodies::torus(1.0, 0.3, 1000, 500),
         "fan" => fan(100_000),
+        "coin" => coin(10_000),
+        "coins" => coin(100_000),
         "leaves" => bodies::book(100_000),
         "copies" => Soup { triangles: vec![bodies::tetrahedron().triangles; 25_000].concat(), ..bodies::tetrahedron() },
         "pieces" => pieces(50),
@@ -106,6 +108,24 @@ fn fan(count: usize) -> Soup {
     out.vertices.extend([[0.05, 0.0, -0.5], [0.05, 0.001, 0.5], [0.06, 0.0, 0.5]]);
     out.triangles.push([n, n + 1, n + 2]);
     out
+}
+
+/// A thin tilted cylinder, whose caps are fans close to each other.
+fn coin(sides: usize) -> Soup {
+    let mut out = Soup { vertices: vec![[0.0, 0.0, 0.0], [0.0, 0.0, 0.01]], triangles: Vec::new() };
+    for k in 0..sides {
+        let a = std::f64::consts::TAU * k as f64 / sides as f64;
+        let (x, y) = (libm::cos(a), libm::sin(a));
+        out.vertices.extend([[x, y, 0.0], [x, y, 0.01]]);
+        let (low, next) = (2 + 2 * k as u32, 2 + 2 * ((k + 1) % sides) as u32);
+        out.triangles.extend([[0, next, low], [1, low + 1, next + 1], [low, next, next + 1], [low, next + 1, low + 1]]);
+    }
+    let turned = |x: f64, y: f64| [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y];
+    out.map(|[x, y, z]| {
+        let [x, z] = turned(x, z);
+        let [y, z] = turned(y, z);
+        [x, y, z]
+    })
 }
 
 /// Tetrahedra apart from each other, `n` by `n` by 40.

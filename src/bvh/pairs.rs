@@ -3,7 +3,8 @@
 //! eight at once in f32, rounded outward, so that no pair is missed and a few come for nothing.
 //!
 //! Primitives may belong to groups whose members are of no interest to each other, although their boxes all
-//! meet (the faces round one vertex): two subtrees of one group are passed over as a whole.
+//! meet (the faces round one vertex): two subtrees of one group are passed over as a whole, and so is a subtree
+//! of one group that the caller knows to be apart from a leaf.
 
 use super::{LEAF, Tree};
 use crate::error::{Error, Result, try_with_capacity};
@@ -64,7 +65,12 @@ pub(crate) struct Pairs<'a> {
     /// The group of all primitives of a leaf or below a node; none at all where there are no groups.
     group_of_leaf: Vec<u32>,
     group_of_node: Vec<u32>,
+    /// Whether there is a leaf of one group below a node.
+    has_groups: Vec<bool>,
 }
+
+/// Whether the primitives of a leaf are known to be apart from a group.
+pub(super) type Apart<'a> = &'a dyn Fn(&[u32], u32) -> bool;
 
 impl<'a> Pairs<'a> {
     /// `order` and `start` are those of [`super::Leaves`], `bounds` the box of each primitive, at least as large
@@ -88,8 +94,8 @@ impl<'a> Pairs<'a> {
             }
             boxes.push(lanes);
         }
-        let (last_leaf, group_of_leaf, group_of_node) = (Vec::new(), Vec::new(), Vec::new());
-        let mut pairs = Pairs { tree, order, start, boxes, last_leaf, group_of_leaf, group_of_node };
+        let (last_leaf, group_of_leaf, group_of_node, has_groups) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut pairs = Pairs { tree, order, start, boxes, last_leaf, group_of_leaf, group_of_node, has_groups };
         pairs.number_leaves()?;
         if !groups.is_empty() {
             pairs.gather_groups(groups)?;
@@ -129,24 +135,52 @@ impl<'a> Pairs<'a> {
         }
         self.group_of_node = try_with_capacity("nodes", self.tree.nodes.len())?;
         self.group_of_node.resize(self.tree.nodes.len(), ALONE);
+        self.has_groups = try_with_capacity("nodes", self.tree.nodes.len())?;
+        self.has_groups.resize(self.tree.nodes.len(), false);
         for k in (0..self.tree.nodes.len()).rev() {
-            let children = self.tree.nodes[k].child.into_iter().filter(|child| *child != u32::MAX);
-            self.group_of_node[k] = common(children.map(|child| self.group(child)));
+            let children = || self.tree.nodes[k].child.into_iter().filter(|child| *child != u32::MAX);
+            self.group_of_node[k] = common(children().map(|child| self.group(child)));
+            self.has_groups[k] = children().any(|child| self.has_group(child));
         }
         Ok(())
     }
 
+    /// The group of all below a child.
     fn group(&self, child: u32) -> u32 {
+        if self.group_of_leaf.is_empty() {
+            return ALONE;
+        }
         match child & LEAF {
             0 => self.group_of_node[child as usize],
             _ => self.group_of_leaf[(child & !LEAF) as usize],
         }
     }
 
-    /// Adds to `out` every pair of primitives whose boxes meet, one of them in `leaf`, the other in it or a later
-    /// one. `stack` is scratch.
-    pub fn of_leaf(&self, leaf: usize, stack: &mut Vec<u32>, out: &mut Vec<[u32; 2]>) -> Result<()> {
-        dispatch(OfLeaf { pairs: self, leaf, stack, out })
+    /// Whether a child is, or has below it, a leaf of one group.
+    fn has_group(&self, child: u32) -> bool {
+        match child & LEAF {
+            0 => self.has_groups.get(child as usize).is_some_and(|has| *has),
+            _ => self.group(child) != ALONE,
+        }
+    }
+
+    /// Adds to `out` the pairs of primitives whose boxes meet that are this leaf's to find: all leaves together
+    /// find each pair once. A leaf of no one group finds what it has in common with itself, with later such leaves
+    /// and with all leaves of a group, so that it can be told to be apart from these; a leaf of a group, with later
+    /// leaves of others. `stack` is scratch.
+    pub fn of_leaf(&self, leaf: usize, apart: Apart, stack: &mut Vec<u32>, out: &mut Vec<[u32; 2]>) -> Result<()> {
+        dispatch(OfLeaf { pairs: self, leaf, apart, stack, out })
+    }
+
+    /// Whether the pairs of two leaves, of these groups, are the first one's to find.
+    #[inline(always)]
+    fn finds(&self, leaf: usize, group: u32, other: usize, group_of_other: u32) -> bool {
+        match (group, group_of_other) {
+            (ALONE, ALONE) => other >= leaf,
+            (ALONE, _) => true,
+            (_, ALONE) => false,
+            _ => group != group_of_other && other >= leaf,
+        }
     }
 }
 
@@ -164,6 +198,7 @@ fn common(groups: impl Iterator<Item = u32>) -> u32 {
 struct OfLeaf<'a, 'b> {
     pairs: &'b Pairs<'a>,
     leaf: usize,
+    apart: Apart<'b>,
     stack: &'b mut Vec<u32>,
     out: &'b mut Vec<[u32; 2]>,
 }
@@ -173,27 +208,35 @@ impl Kernel for OfLeaf<'_, '_> {
 
     #[inline(always)]
     fn run(self) -> Result<()> {
-        let OfLeaf { pairs, leaf, stack, out } = self;
+        let OfLeaf { pairs, leaf, apart, stack, out } = self;
         let hull = pairs.boxes[leaf].hull();
-        let group = if pairs.group_of_leaf.is_empty() { ALONE } else { pairs.group_of_leaf[leaf] };
+        let own = pairs.group(leaf as u32 | LEAF);
         stack.clear();
         stack.push(0);
         while let Some(at) = stack.pop() {
             let node = &pairs.tree.nodes[at as usize];
+            let within = pairs.group(at);
             let mut near = meeting(&node.lo, &node.hi, hull);
             while near != 0 {
                 let child = node.child[near.trailing_zeros() as usize & (WIDTH - 1)];
                 near &= near - 1;
-                if child == u32::MAX || (group != ALONE && pairs.group(child) == group) {
+                if child == u32::MAX {
+                    continue;
+                }
+                let group = pairs.group(child);
+                if group != ALONE && (group == own || (within == ALONE && apart(pairs.members(leaf), group))) {
                     continue;
                 }
                 if child & LEAF != 0 {
                     let other = (child & !LEAF) as usize;
-                    if other >= leaf {
+                    if pairs.finds(leaf, own, other, group) {
                         between(pairs, leaf, other, out)?;
                     }
-                } else if pairs.last_leaf[child as usize] as usize >= leaf {
-                    stack.push(child);
+                } else {
+                    let is_later = pairs.last_leaf[child as usize] as usize >= leaf;
+                    if is_later || (own == ALONE && pairs.has_group(child)) {
+                        stack.push(child);
+                    }
                 }
             }
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! What is the matter with a mesh, its intersections with itself included.
 
-use crate::bvh::{LEAF_SIZE, Pairs, Tree};
+use crate::bvh::{LEAF_SIZE, Tree};
 use crate::error::{Result, try_with_capacity};
 use crate::geometry::contacts::Contacts;
 use crate::math::Aabb;
@@ -42,10 +42,9 @@ fn intersections(mesh: &Mesh, limit: usize, run: &Run) -> Result<Intersections> 
     let mut boxes = try_with_capacity("boxes", triangles.len())?;
     boxes.extend(triangles.iter().map(|t| Aabb::of(t.corners(mesh.vertices()))));
     let (tree, leaves) = Tree::build(&boxes, LEAF_SIZE)?;
-    let pairs = Pairs::new(&tree, &leaves.order, &leaves.start, |t| boxes[t as usize], &contacts.groups()?)?;
     drop(boxes);
     // One more tells whether there are more.
-    let found = contacts.find(&pairs, limit.saturating_add(1), run)?;
+    let found = contacts.find(&tree, &leaves, limit.saturating_add(1), run)?;
     let mut faces = found.pairs;
     for pair in &mut faces {
         let [a, b] = pair.map(|t| triangles[t as usize].face);

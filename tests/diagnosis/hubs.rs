@@ -66,6 +66,49 @@ fn several_hubs_and_edges_of_many_faces_at_once() {
     assert_eq!(pairs(&soup.mesh_kept()), wanted);
 }
 
+/// A disc of triangles round the origin, its rim at integer points of a plane through `map`.
+fn disc(count: usize, size: usize, random: &mut Random, map: impl Fn(f64, f64) -> [f64; 3]) -> Soup {
+    let coordinate = |random: &mut Random| random.below(2 * size + 1) as f64 - size as f64;
+    let mut rim: Vec<[f64; 2]> = (0..count).map(|_| [coordinate(random), coordinate(random)]).collect();
+    rim.retain(|p| p[0].abs() + p[1].abs() > 0.0);
+    rim.sort_by(|p, q| libm::atan2(p[1], p[0]).total_cmp(&libm::atan2(q[1], q[0])));
+    let mut out = Soup { vertices: vec![map(0.0, 0.0)], triangles: Vec::new() };
+    out.vertices.extend(rim.iter().map(|p| map(p[0], p[1])));
+    out.triangles.extend((0..rim.len() as u32).map(|k| [0, k + 1, (k + 1) % rim.len() as u32 + 1]));
+    out
+}
+
+#[test]
+fn plane_fans_beside_on_and_through_each_other_meet_where_all_pairs_say_so() {
+    let mut random = Random(46);
+    let tilted = |lift: f64| move |x: f64, y: f64| [x, y, x + 2.0 * y + lift];
+    let mut counts = Vec::new();
+    for (lift, steep) in [(1.0, 1.0), (0.0, 1.0), (40.0, 3.0)] {
+        let soup = disc(150, 30, &mut random, tilted(0.0))
+            .and(&disc(130, 30, &mut random, tilted(lift)))
+            .and(&disc(110, 30, &mut random, move |x, y| [x + 1.0, y, steep * x + 2.0 * y]))
+            .and(&grid_soup(60, 40, &mut random));
+        let wanted = all_pairs(&soup);
+        counts.push(wanted.iter().filter(|p| p[1] < 275).count());
+        assert_eq!(pairs(&soup.mesh_kept()), wanted, "lifted by {lift}");
+    }
+    // Beside each other two discs do not meet; on each other they meet all over.
+    assert!(counts[0] < 50 && counts[1] > 200, "{counts:?}");
+}
+
+#[test]
+fn the_caps_of_a_thin_tilted_cylinder_are_told_apart() {
+    let turned = |x: f64, y: f64| [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y];
+    let coin = drum(20_000, 1.0, 0.01).map(|[x, y, z]| {
+        let [x, z] = turned(x, z);
+        let [y, z] = turned(y, z);
+        [x, y, z]
+    });
+    assert_eq!(pairs(&coin.mesh()), [[0u32; 2]; 0]);
+    let g = Geometry::from_mesh(&coin.mesh(), &SdfOptions::default(), &Run::SERIAL).expect("a closed mesh");
+    assert_eq!(g.properties().sign_method, SignMethod::Pseudonormal);
+}
+
 #[test]
 fn a_hundred_thousand_faces_at_a_vertex_or_an_edge_are_answered() {
     // A ragged disc, and a triangle through it.

@@ -4,8 +4,9 @@
 //! arcs finds the pairs. Triangles at one edge of the vertex are half-planes around that edge, and fold onto each
 //! other just where their directions around it agree: a hierarchy over these finds the pairs.
 
+use super::Contacts;
 use super::collect::Chunk;
-use super::{Contacts, GROUP};
+use super::groups::GROUP;
 use crate::bvh::{ALONE, LEAF_SIZE, Pairs, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, length, unit};
@@ -69,7 +70,7 @@ impl Contacts<'_> {
         let (mut stack, mut near) = (Vec::new(), Vec::new());
         for leaf in 0..pairs.leaf_count() {
             near.clear();
-            pairs.of_leaf(leaf, &mut stack, &mut near)?;
+            pairs.of_leaf(leaf, &|_, _| false, &mut stack, &mut near)?;
             for pair in &near {
                 let [s, t] = pair.map(|k| spreads[k as usize].triangle);
                 if self.touch_at(hub, s, t) {

@@ -6,10 +6,11 @@
 //! axis. What is left is decided by exact predicates. Nothing is quadratic in the faces at a vertex (`hub.rs`).
 
 mod collect;
+mod groups;
 mod hub;
 mod star;
 
-use crate::bvh::{ALONE, Pairs};
+use crate::bvh::{Leaves, Pairs, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::{HalfEdges, Triangle};
@@ -17,14 +18,13 @@ use crate::parallel::Run;
 use crate::primitive::contact::{are_clear, folded, meet_beyond_corner, triangles_touch};
 use crate::primitive::polygon::are_collinear;
 use crate::primitive::triangle::{Prepared, V3, nearest};
-use collect::Collector;
+use collect::{Chunk, Collector};
+use groups::Groups;
+use std::ops::Range;
 
 /// Vertices and leaves of a chunk of work.
 const VERTICES: usize = 4096;
 const LEAVES: usize = 256;
-
-/// Triangles of at least so many faces at a vertex are a group of the hierarchy.
-const GROUP: usize = 64;
 
 /// The surface to look at. No two triangles have the same three vertices unless their faces overlap.
 pub(crate) struct Contacts<'a> {
@@ -65,28 +65,16 @@ impl<'a> Contacts<'a> {
     }
 
     /// The box of a triangle, with room for the slack.
-    pub fn bounds(&self, t: u32) -> Aabb {
+    fn bounds(&self, t: u32) -> Aabb {
         let b = Aabb::of(self.corners(t));
         Aabb::new(b.lo - self.slack, b.hi + self.slack)
     }
 
-    /// The vertex that each triangle is grouped by; nothing at all where no vertex has many triangles.
-    pub fn groups(&self) -> Result<Vec<u32>> {
-        let degree = |v: &u32| self.topology.outgoing(*v).len();
-        if (0..self.vertices.len() as u32).all(|v| degree(&v) < GROUP) {
-            return Ok(Vec::new());
-        }
-        let mut groups = try_with_capacity("groups", self.triangles.len())?;
-        groups.extend(self.triangles.iter().map(|t| {
-            let most = t.vertices.iter().max_by_key(|v| (degree(v), u32::MAX - **v));
-            most.filter(|v| degree(v) >= GROUP).copied().unwrap_or(ALONE)
-        }));
-        Ok(groups)
-    }
-
-    /// Pairs of triangles that meet: all of them, or the first `limit` that are found. The
+    /// Pairs of triangles that meet: all of them, or the first `limit` that are found. `tree` is over their boxes. The
     /// order of the search, and so what is found, does not depend on the run.
-    pub fn find(&self, pairs: &Pairs, limit: usize, run: &Run) -> Result<Found> {
+    pub fn find(&self, tree: &Tree, leaves: &Leaves, limit: usize, run: &Run) -> Result<Found> {
+        let groups = self.groups()?;
+        let pairs = Pairs::new(tree, &leaves.order, &leaves.start, |t| self.bounds(t), &groups.of_triangle)?;
         let stars = self.vertices.len().div_ceil(VERTICES);
         let chunks = stars + pairs.leaf_count().div_ceil(LEAVES);
         let collector = Collector::new(chunks, limit)?;
@@ -99,7 +87,7 @@ impl<'a> Contacts<'a> {
                 }
                 Some(leaves) => {
                     let to = pairs.leaf_count().min((leaves + 1) * LEAVES);
-                    self.among_leaves(pairs, leaves * LEAVES..to, &mut found)?;
+                    self.among_leaves(&pairs, &groups, leaves * LEAVES..to, &mut found)?;
                 }
             }
             collector.hand_in(found)
@@ -108,11 +96,12 @@ impl<'a> Contacts<'a> {
     }
 
     /// Pairs that share no vertex.
-    fn among_leaves(&self, pairs: &Pairs, leaves: std::ops::Range<usize>, found: &mut collect::Chunk) -> Result<()> {
+    fn among_leaves(&self, pairs: &Pairs, groups: &Groups, leaves: Range<usize>, found: &mut Chunk) -> Result<()> {
+        let apart = |members: &[u32], group: u32| self.is_apart(members, groups.fans[group as usize]);
         let (mut stack, mut near) = (Vec::new(), Vec::new());
         for leaf in leaves {
             near.clear();
-            pairs.of_leaf(leaf, &mut stack, &mut near)?;
+            pairs.of_leaf(leaf, &apart, &mut stack, &mut near)?;
             for &[s, t] in &near {
                 if self.touch_apart(s, t) {
                     found.add([s, t])?;

@@ -7,7 +7,7 @@
 //! piece.
 
 use super::{NO_TRIANGLE, Sign, Surface};
-use crate::bvh::Pairs;
+use crate::bvh::Leaves;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::SignMethod;
 use crate::geometry::contacts::Contacts;
@@ -85,8 +85,7 @@ impl Surface {
             order.extend(block.triangle.iter().filter(|t| **t != NO_TRIANGLE));
             start.push(order.len() as u32);
         }
-        let pairs = Pairs::new(tree, &order, &start, |t| contacts.bounds(t), &contacts.groups()?)?;
-        Ok(contacts.find(&pairs, 1, run)?.pairs.first().copied())
+        Ok(contacts.find(tree, &Leaves { order, start }, 1, run)?.pairs.first().copied())
     }
 
     /// Walls thinner than this have one side to a point beside them: either of their faces may be the nearest.
