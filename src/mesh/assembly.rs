@@ -76,7 +76,7 @@ impl Mesh {
             members[end[part as usize] as usize] = f as u32;
             end[part as usize] += 1;
         }
-        let mut marks = filled("rows", self.vertices.len() + self.data.seam_rows.len(), u32::MAX)?;
+        let mut marks = filled("rows", self.row_count(), u32::MAX)?;
         let mut split = try_with_capacity("parts", parts)?;
         let mut first = 0;
         for &end in &end[..parts] {
@@ -134,7 +134,7 @@ impl Mesh {
 
     /// All faces with their numbers, as an input.
     pub(crate) fn as_input(&self) -> Result<Input> {
-        let rows = self.vertices.len() + self.data.seam_rows.len();
+        let rows = self.row_count();
         let mut input = Input::new(try_with_capacity("vertices", rows)?, Faces::default(), Status::InvalidArgument);
         input.positions.extend((0..rows as u32).map(|r| self.vertices[self.vertex_of_row(r) as usize]));
         input.same_as = try_with_capacity("vertices", rows)?;

@@ -237,9 +237,9 @@ impl Mesh {
         &self.data.face
     }
 
-    /// Whether any face has a tag other than 0, or a tag has a name.
+    /// Whether a tag has a name, or any face as it stands a tag other than 0.
     pub(crate) fn is_tagged(&self) -> bool {
-        !self.tag_names.is_empty() || self.tags.iter().any(|t| *t != 0)
+        !self.tag_names.is_empty() || self.half_edges.faces().input.iter().any(|f| self.tag(*f) != 0)
     }
 
     /// Rows of the vertex data: vertices, and other corners of seams.

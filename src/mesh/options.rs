@@ -39,6 +39,11 @@ pub struct MeshOptions {
     pub index_base: u32,
 }
 
+/// Whether vertices can be welded within this part of the diagonal.
+pub(super) fn is_tolerance(weld: f64) -> bool {
+    weld == 0.0 || (1e-12..=0.5).contains(&weld)
+}
+
 impl Default for MeshOptions {
     fn default() -> MeshOptions {
         MeshOptions {
@@ -62,7 +67,7 @@ impl MeshOptions {
             return Err(Error::invalid(format!("options.shift[{k}]: {} is not finite", self.shift[k])));
         }
         let w = self.weld_tolerance;
-        if !(w == 0.0 || w == -1.0 || (1e-12..=0.5).contains(&w)) {
+        if !(w == -1.0 || is_tolerance(w)) {
             return Err(Error::invalid(format!(
                 "options.weld_tolerance: {w} is neither 0, nor -1, nor between 1e-12 and 0.5"
             )));

@@ -14,7 +14,7 @@ pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
     let colours = colours(mesh);
     vertices(mesh, colours, &mut out)?;
     let topology = mesh.half_edges();
-    let tagged = !mesh.tag_names().is_empty() || topology.faces().input.iter().any(|f| mesh.tag(*f) != 0);
+    let tagged = mesh.is_tagged();
     let mut current = None;
     for f in 0..topology.face_count() as u32 {
         let tag = mesh.tag(topology.input_face(f));
@@ -25,7 +25,7 @@ pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
         out.add(format_args!("f"))?;
         for h in topology.around_face(f) {
             let vertex = topology.origin(h);
-            let row = if colours.is_some() { mesh.data().row(h, vertex) } else { vertex };
+            let row = if colours.is_some() { mesh.vertex_data_row(h) } else { vertex };
             out.add(format_args!(" {}", u64::from(row) + 1))?;
         }
         out.add(format_args!("\n"))?;

@@ -2,6 +2,7 @@
 //! The header of a PLY file: which elements follow, how many of each, and what each item holds.
 
 use crate::error::{Error, Result};
+use crate::io::number::Number;
 use crate::mesh::FieldType;
 use std::collections::BTreeSet;
 
@@ -42,7 +43,7 @@ impl Element {
         let of = |p: &Property| match (encoding, p.shape) {
             // A digit, and the space before the next.
             (Encoding::Ascii, _) => 2,
-            (_, Shape::Scalar(t) | Shape::List { count: t, .. }) => size(t),
+            (_, Shape::Scalar(t) | Shape::List { count: t, .. }) => Number::of_field(t).size(),
         };
         self.properties.iter().map(of).sum()
     }
@@ -73,16 +74,6 @@ impl Vector {
     pub fn property(&self, component: usize) -> String {
         let name: String = self.name.chars().map(|c| if c.is_whitespace() { '_' } else { c }).collect();
         if self.components == 1 { name } else { format!("{name}_{component}") }
-    }
-}
-
-/// Bytes of a number.
-pub(super) fn size(t: FieldType) -> usize {
-    match t {
-        FieldType::I8 | FieldType::U8 => 1,
-        FieldType::I16 | FieldType::U16 => 2,
-        FieldType::I32 | FieldType::U32 | FieldType::F32 => 4,
-        FieldType::I64 | FieldType::F64 => 8,
     }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The numbers of a PLY file one after another, in any of its encodings.
 
-use super::header::{Encoding, size};
+use super::header::Encoding;
 use crate::error::{Error, Result};
+use crate::io::number::Number;
 use crate::io::words::Words;
 use crate::mesh::FieldType;
 
@@ -44,7 +45,7 @@ impl<'a> Numbers<'a> {
                 words.parsed(word, "a number")
             }
             Numbers::Binary { bytes, at, big_endian } => {
-                let n = size(t);
+                let n = Number::of_field(t).size();
                 let Some(raw) = bytes.get(*at..*at + n) else {
                     return Err(Error::parse(format!("offset {}: the file ends within a number", bytes.len())));
                 };

@@ -3,6 +3,7 @@
 
 use super::header::Vector;
 use crate::error::{Error, Result, try_with_capacity};
+use crate::io::number::Number;
 use crate::mesh::{Field, FieldType, Mesh};
 use std::collections::BTreeSet;
 
@@ -24,7 +25,7 @@ pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
             out.extend_from_slice(&c.to_le_bytes());
         }
         for field in mesh.vertex_fields() {
-            field.item(row as usize).iter().for_each(|x| put(&mut out, *x, field.kind));
+            field.item(row as usize).iter().for_each(|x| Number::of_field(field.kind).encode(*x, &mut out));
         }
     }
     let mut ring = try_with_capacity("corners", 16)?;
@@ -38,7 +39,7 @@ pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
             out.extend_from_slice(&mesh.tag(number).to_le_bytes());
         }
         for field in mesh.face_fields() {
-            field.item(number as usize).iter().for_each(|x| put(&mut out, *x, field.kind));
+            field.item(number as usize).iter().for_each(|x| Number::of_field(field.kind).encode(*x, &mut out));
         }
     }
     Ok(out)
@@ -112,19 +113,5 @@ fn type_name(t: FieldType) -> &'static str {
         FieldType::I64 => "int64",
         FieldType::F32 => "float",
         FieldType::F64 => "double",
-    }
-}
-
-fn put(out: &mut Vec<u8>, x: f64, t: FieldType) {
-    match t {
-        FieldType::I8 => out.push(x as i8 as u8),
-        FieldType::U8 => out.push(x as u8),
-        FieldType::I16 => out.extend_from_slice(&(x as i16).to_le_bytes()),
-        FieldType::U16 => out.extend_from_slice(&(x as u16).to_le_bytes()),
-        FieldType::I32 => out.extend_from_slice(&(x as i32).to_le_bytes()),
-        FieldType::U32 => out.extend_from_slice(&(x as u32).to_le_bytes()),
-        FieldType::I64 => out.extend_from_slice(&(x as i64).to_le_bytes()),
-        FieldType::F32 => out.extend_from_slice(&(x as f32).to_le_bytes()),
-        FieldType::F64 => out.extend_from_slice(&x.to_le_bytes()),
     }
 }

@@ -11,7 +11,7 @@ use crate::mesh::{Field, Mesh};
 pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
     let topology = mesh.half_edges();
     let faces = topology.face_count();
-    let tagged = !mesh.tag_names().is_empty() || topology.faces().input.iter().any(|f| mesh.tag(*f) != 0);
+    let tagged = mesh.is_tagged();
     let clashes = |f: &&Field| f.name == TAG && (tagged || is_tags(f));
     if mesh.face_fields().iter().any(|f| clashes(&f)) {
         return Err(Error::unsupported(format!("face data \"{TAG}\": the name is that of the tags in a file")));
@@ -22,7 +22,7 @@ pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
          header_type=\"UInt64\">\n<PolyData>\n"
     ))?;
     names(mesh, &mut file)?;
-    let points = mesh.vertices().len() + mesh.data().seam_rows.len();
+    let points = mesh.row_count();
     file.add(format_args!("<Piece NumberOfPoints=\"{points}\" NumberOfPolys=\"{faces}\">\n<PointData>\n"))?;
     for field in mesh.vertex_fields() {
         let number = Number::of_field(field.kind);
@@ -41,7 +41,7 @@ pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
     let position = |row: u32| mesh.vertices()[mesh.vertex_of_row(row) as usize].to_array();
     file.array("Points", Number::F64, 3, (0..points as u32).flat_map(position))?;
     file.add(format_args!("</Points>\n<Polys>\n"))?;
-    let row = |h: u32| f64::from(mesh.data().row(h, topology.origin(h)));
+    let row = |h: u32| f64::from(mesh.vertex_data_row(h));
     file.array("connectivity", Number::I64, 1, (0..topology.count() as u32).map(row))?;
     let ends = (0..faces as u32).map(|f| f64::from(topology.around_face(f).end));
     file.array("offsets", Number::I64, 1, ends)?;

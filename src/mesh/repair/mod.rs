@@ -5,6 +5,7 @@ mod degenerate;
 mod fans;
 mod holes;
 
+use super::options::is_tolerance;
 use super::{Input, Mesh, MeshOptions, Orient, SplitBy, build};
 use crate::error::{Error, Result};
 
@@ -83,7 +84,7 @@ impl RepairOptions {
             return Err(Error::invalid(format!("options.hole_length: {} is not at least 0", self.hole_length)));
         }
         let w = self.weld_tolerance;
-        if !(w == 0.0 || (1e-12..=0.5).contains(&w)) {
+        if !is_tolerance(w) {
             return Err(Error::invalid(format!("options.weld_tolerance: {w} is neither 0 nor between 1e-12 and 0.5")));
         }
         Ok(())
