@@ -437,9 +437,12 @@ typedef struct emb_repair_options {
   // EMB_REPAIR_WELD: vertices nearer than this times the diagonal become one; 0, the default: those with equal
   // positions; otherwise between 1e-12 and 0.5.
   double weld_tolerance;
-  // EMB_REPAIR_HOLES: holes with more edges stay; 1,000 by default. Filling one takes the cube of their number.
+  // EMB_REPAIR_HOLES: holes with more edges stay; 1,000 by default, 2,048 at most. Filling one takes the cube of
+  // their number: 1,000 edges take 1.5 seconds, 2,000 take 13.
   size_t hole_edges;
-  // EMB_REPAIR_HOLES: holes whose rim is longer than this times the diagonal of the mesh stay; 1 by default.
+  // EMB_REPAIR_HOLES: holes whose rim is longer than this times the diagonal of the box around the faces that edges
+  // connect with it stay. 0.5 by default, the rim of a round hole of 0.16 diagonals across: what a scanner did not
+  // see, and not the open end of a pipe or a box without a lid. The rim of a flat sheet is at least 2.
   double hole_length;
 } emb_repair_options;
 
@@ -453,6 +456,8 @@ typedef struct emb_repair_result {
   uint64_t faces_collapsed;
   // Faces of zero area that left.
   uint64_t degenerate_faces;
+  // Corners that the neighbours of these took over.
+  uint64_t corners_added;
   // Faces that repeated an earlier one and left.
   uint64_t duplicate_faces;
   // Vertices added for fans of faces that met in one.
@@ -463,7 +468,8 @@ typedef struct emb_repair_result {
   uint64_t components_turned;
   // Holes filled.
   uint64_t holes_filled;
-  // Holes left: too large, or not to be filled without edges of more than two faces.
+  // Holes left: of too many edges or too long, not to be filled without edges of more than two faces, or not closed
+  // because more than two faces meet on the way.
   uint64_t holes_left;
   // Triangles that fill holes.
   uint64_t faces_added;
@@ -1173,16 +1179,30 @@ emb_status emb_mesh_split(const emb_mesh *mesh,
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (size).
 emb_status emb_repair_options_init(emb_repair_options *options, size_t size);
 
-// Makes a repaired mesh; `mesh` stays as it is. The steps asked for (options NULL: all) are taken in this order: WELD,
-// DEGENERATE, DUPLICATES, SPLIT, ORIENT, HOLES (then ORIENT again, as what was open had no outside); what is not asked
-// for is not done. Faces keep their numbers, tags and data, so emb_geom_closest still names faces of the input;
-// triangles that fill holes (least area over the rim: Barequet & Sharir 1995, Liepa 2003) take numbers from
-// emb_mesh_face_count(mesh) on, data of vertices from the rim, and NaN as data of faces. *result, whose struct_size the
-// caller has set, tells what was done; it may be NULL. On success *out_mesh is the caller's, to be freed with
-// emb_mesh_free. The calling thread tells `run` 0 before and 1 after. Cost: near linear, and the cube of the edges of
-// each hole filled. Any thread.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options, struct sizes), EMB_ERROR_MEMORY,
-// EMB_ERROR_CANCELLED.
+// Makes a repaired mesh; `mesh` stays as it is. The steps asked for (options NULL: all) are taken in this order; what is
+// not asked for is not done.
+// - EMB_REPAIR_WELD: vertices with equal positions, or nearer than the tolerance, become one. Faces that keep fewer than
+//   three different corners leave.
+// - EMB_REPAIR_DEGENERATE: faces of exactly zero area leave; edges of their neighbours are cut at their corners, so
+//   that no crack stays.
+// - EMB_REPAIR_DUPLICATES: of faces that repeat an earlier one, whichever way they run, the earliest stays, but for the
+//   wall between two bodies in contact, given by each of them.
+// - EMB_REPAIR_HOLES: holes are filled by the triangulation of least area over their rims (Barequet & Sharir 1995, Liepa
+//   2003), which avoids slivers and never gives an edge more than two faces. Rims that pass a vertex twice are cut
+//   apart there.
+// - EMB_REPAIR_SPLIT: a vertex where several fans of faces meet becomes as many at the same position (Gueziec et al.
+//   2001); bodies that share an edge come apart, sheets that would be open without each other stay together.
+// - EMB_REPAIR_ORIENT: faces are turned over until neighbours agree, as the larger part of the area has it; closed
+//   shells face outward, those directly inside them inward, and so on in turn. Open shells only become consistent.
+//
+// Faces keep their numbers, tags and data, so emb_geom_closest still names faces of the input; triangles that fill holes
+// take numbers from emb_mesh_face_count(mesh) on, data of vertices from the rim, and as data of faces NaN, or 0 where its
+// type is an integer. Where nothing is to be done, the mesh has the same bits. *result, whose struct_size the caller has
+// set, tells what was done; it may be NULL. On success *out_mesh is the caller's, to be freed with emb_mesh_free. The
+// calling thread tells `run` how far it is, and it alone works. Cost: near linear, and the cube of the edges of each
+// hole filled. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options, struct sizes; more faces, corners or vertices
+// than 32 bits count), EMB_ERROR_TOPOLOGY (no face has an area), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED.
 emb_status emb_mesh_repair(const emb_mesh *mesh,
                            const emb_repair_options *options,
                            const emb_run *run,

@@ -199,7 +199,7 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_repair_options: struct_size, flags, fill_tag_rule, fill_tag, weld_tolerance, hole_edges,
         hole_length);
     layout!(lines, emb_repair_result: struct_size, vertices_welded, faces_collapsed, degenerate_faces,
-        duplicate_faces, vertices_split, faces_turned, components_turned, holes_filled, holes_left, faces_added);
+        corners_added, duplicate_faces, vertices_split, faces_turned, components_turned, holes_filled, holes_left, faces_added);
     layout!(lines, emb_diagnosis_options: struct_size, sliver_ratio, off_plane_ratio, intersection_limit);
     layout!(lines, emb_diagnosis_summary: struct_size, nonmanifold_vertices, shrunk_faces, flat_faces, slivers,
         off_plane_faces, components, boundary_loops, open_chains, listed_intersections, turned_faces, unbalanced_edges,

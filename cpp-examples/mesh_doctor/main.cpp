@@ -16,9 +16,9 @@ namespace {
 constexpr const char *usage =
     "usage: mesh_doctor [option]... [mesh]...\n"
     "  --table        one line a mesh instead of a report\n"
-    "  --repair       weld, drop bad faces, split, orient and fill small holes, and say what was done\n"
+    "  --repair       weld, drop bad faces, fill small holes, split and orient, and say what was done\n"
     "  --weld T       weld vertices nearer than T diagonals (with --repair)\n"
-    "  --fill L       fill holes whose rim is at most L diagonals long; 0: none (with --repair; 1)\n"
+    "  --fill L       fill holes of one triangle, or whose rim is at most L diagonals; 0: none (with --repair; 0.5)\n"
     "  --join         all meshes together as one, a tag a file\n"
     "  --write FILE   write the mesh as it is then: .stl, .ply, .obj, .vtk or .vtp\n"
     "  --make FILE    write a mesh with every fault, and stop\n"
@@ -51,9 +51,13 @@ std::optional<Request> parse(int argc, char **argv) {
         } else if (word == "--make") {
             request.make = argv[k];
         } else if (word == "--weld" || word == "--fill") {
-            (word == "--weld" ? request.options.weld_tolerance : request.options.hole_length) = std::strtod(argv[k], &end);
+            double &value = word == "--weld" ? request.options.weld_tolerance : request.options.hole_length;
+            value = std::strtod(argv[k], &end);
             if (end == argv[k] || *end != '\0') {
                 return std::nullopt;
+            }
+            if (word == "--fill" && value == 0.0) {
+                request.options.flags &= ~EMB_REPAIR_HOLES;
             }
         } else if (word.rfind("--", 0) == 0) {
             return std::nullopt;
@@ -96,6 +100,7 @@ embound::Mesh mend(const embound::Mesh &mesh, const embound::RepairOptions &opti
     say(r.vertices_welded, "vertices welded");
     say(r.faces_collapsed, "faces collapsed by welding");
     say(r.degenerate_faces, "faces without area dropped");
+    say(r.corners_added, "corners taken over by their neighbours");
     say(r.duplicate_faces, "repeated faces dropped");
     say(r.vertices_split, "vertices split");
     say(r.faces_turned, "faces turned over");

@@ -14,8 +14,8 @@ namespace embound {
 struct RepairOptions {
     std::int32_t flags = EMB_REPAIR_ALL;  ///< EMB_REPAIR_* flags.
     double weld_tolerance = 0.0;          ///< Of the diagonal; 0: equal positions.
-    std::size_t hole_edges = 1000;        ///< Holes with more edges stay.
-    double hole_length = 1.0;             ///< Holes whose rim is longer, relative to the diagonal, stay.
+    std::size_t hole_edges = 1000;        ///< Holes with more edges stay; at most 2,048.
+    double hole_length = 0.5;             ///< Longer rims of more than three edges stay; see C.
     std::optional<std::int32_t> fill_tag; ///< The tag of new triangles; none: that of most faces round the hole.
 
     /// As the C functions take them.

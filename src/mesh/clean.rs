@@ -18,7 +18,7 @@ pub(super) struct Cleaned {
 }
 
 /// A vertex, and the input vertex that became it.
-type Corner = (u32, u32);
+pub(super) type Corner = (u32, u32);
 
 /// Faces over welded vertices, without those that welding collapsed, and the vertices they use.
 pub(super) fn clean(input: &Input, welded: Welded) -> Result<Cleaned> {
@@ -53,7 +53,7 @@ pub(super) fn clean(input: &Input, welded: Welded) -> Result<Cleaned> {
 }
 
 /// Adds a corner unless it repeats the last one or ends a spike (x, y, x), which encloses nothing.
-fn add_corner(ring: &mut Vec<Corner>, v: Corner) -> bool {
+pub(super) fn add_corner(ring: &mut Vec<Corner>, v: Corner) -> bool {
     let n = ring.len();
     if n > 0 && ring[n - 1].0 == v.0 {
         return true;
@@ -67,7 +67,7 @@ fn add_corner(ring: &mut Vec<Corner>, v: Corner) -> bool {
 }
 
 /// The same across the end of the ring.
-fn close_ring(ring: &mut Vec<Corner>) -> bool {
+pub(super) fn close_ring(ring: &mut Vec<Corner>) -> bool {
     let before = ring.len();
     loop {
         let n = ring.len();

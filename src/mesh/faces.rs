@@ -30,6 +30,13 @@ impl Faces {
         })
     }
 
+    /// Room for more.
+    pub fn reserve(&mut self, faces: usize, corners: usize) -> Result<()> {
+        let numbers = self.start.try_reserve(faces).and_then(|()| self.input.try_reserve(faces));
+        numbers.map_err(|_| Error::memory("faces", self.len() + faces))?;
+        self.corners.try_reserve(corners).map_err(|_| Error::memory("corners", self.corners.len() + corners))
+    }
+
     /// Adds a face.
     pub fn push(&mut self, corners: &[u32], input: u32) {
         self.corners.extend_from_slice(corners);

@@ -7,6 +7,7 @@ pub(crate) mod cuboid;
 pub(crate) mod ellipsoid;
 pub(crate) mod fan;
 pub mod inside;
+pub(crate) mod least_area;
 pub(crate) mod noise;
 pub(crate) mod outline;
 pub(crate) mod overlap;

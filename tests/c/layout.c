@@ -86,6 +86,7 @@ static void repairs(void) {
   MEMBER(emb_repair_result, vertices_welded);
   MEMBER(emb_repair_result, faces_collapsed);
   MEMBER(emb_repair_result, degenerate_faces);
+  MEMBER(emb_repair_result, corners_added);
   MEMBER(emb_repair_result, duplicate_faces);
   MEMBER(emb_repair_result, vertices_split);
   MEMBER(emb_repair_result, faces_turned);

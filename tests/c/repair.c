@@ -28,12 +28,12 @@ static void repairs(void) {
   memset(&report, 0, sizeof report);
   result.struct_size = sizeof result;
   report.struct_size = sizeof report;
-  CHECK(emb_mesh_repair(mesh, NULL, NULL, &result, &whole) == EMB_OK);
-  CHECK(result.holes_left == 1 && result.holes_filled == 0); /* its rim is longer than the diagonal */
-  emb_mesh_free(whole);
   CHECK(emb_repair_options_init(&options, sizeof options) == EMB_OK);
-  options.hole_length = 2.0;
+  options.hole_edges = 2;
   CHECK(emb_mesh_repair(mesh, &options, NULL, &result, &whole) == EMB_OK);
+  CHECK(result.holes_left == 1 && result.holes_filled == 0 && result.duplicate_faces == 1);
+  emb_mesh_free(whole);
+  CHECK(emb_mesh_repair(mesh, NULL, NULL, &result, &whole) == EMB_OK);
   CHECK(result.duplicate_faces == 1 && result.faces_turned == 1 && result.holes_filled == 1 && result.faces_added == 1);
   CHECK(result.vertices_split == 0 && result.degenerate_faces == 0 && result.holes_left == 0);
   CHECK(emb_mesh_report_get(whole, &report) == EMB_OK);
@@ -77,6 +77,10 @@ static void refusals(void) {
   CHECK(emb_mesh_repair(mesh, &options, NULL, NULL, &out) == EMB_ERROR_INVALID_ARGUMENT);
   CHECK(strstr(emb_last_error(), "options.hole_length: -1") != NULL);
   options.hole_length = 1.0;
+  options.hole_edges = 2049;
+  CHECK(emb_mesh_repair(mesh, &options, NULL, NULL, &out) == EMB_ERROR_INVALID_ARGUMENT);
+  CHECK(strstr(emb_last_error(), "options.hole_edges: 2049") != NULL);
+  options.hole_edges = 1000;
   options.weld_tolerance = NAN;
   CHECK(emb_mesh_repair(mesh, &options, NULL, NULL, &out) == EMB_ERROR_INVALID_ARGUMENT);
   options.weld_tolerance = 0.0;

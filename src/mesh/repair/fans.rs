@@ -1,90 +1,81 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Fans of faces that meet in one vertex get a vertex each (after Gueziec et al. 2001, "Cutting and
-//! stitching").
+//! Fans: corners of one vertex whose faces hang together there, face by face over edges.
 
+use super::work::{Work, fits};
+use super::{Repairs, push};
 use crate::error::{Error, Result};
-use crate::mesh::edges::Edges;
+use crate::mesh::edges::{Edges, NONE};
 use crate::mesh::faces::{Sets, filled};
-use crate::mesh::{Input, Mesh};
 
-/// The mesh with a vertex for each fan; none where there is nothing to split.
+/// Sets of corners, one a fan. Corners have the numbers of their half-edges.
 ///
-/// Faces belong to one fan where they share an edge of exactly two faces. At an edge of more, fans that do not
-/// run along it as often one way as the other belong together, for they would be open without each other.
-pub(super) fn split(mesh: &Mesh) -> Result<Option<Input>> {
-    let topology = mesh.half_edges();
-    let faces = topology.faces();
-    let edges = Edges::of(mesh.vertices().len(), faces.half_edges())?;
-    // The corner of the face of half-edge h at its origin is h, at its target the next one.
-    let corner_at = |h: u32, v: u32| if topology.origin(h) == v { h } else { topology.next(h) };
-    let mut fans = Sets::new(topology.count())?;
-    for edge in edges.iter().filter(|edge| edge.len() == 2) {
-        let ends = [topology.origin(edge[0]), topology.target(edge[0])];
-        ends.iter().for_each(|&v| fans.join(corner_at(edge[0], v), corner_at(edge[1], v)));
+/// The faces of an edge of two hold together. Those of an edge of more than two do where they are all of one or of
+/// unpaired sheets; where each sheet that edges of two faces make has exactly two faces there, as where closed
+/// bodies share an edge, only those two do.
+pub(super) fn fans(work: &Work, edges: &Edges, of_half_edge: &[u32]) -> Result<Sets> {
+    let mut corners = Sets::new(work.faces.corners.len())?;
+    let join = |corners: &mut Sets, g: u32, h: u32| {
+        let next = |h: u32| work.next(of_half_edge[h as usize] as usize, h);
+        let vertex = |h: u32| work.faces.corners[h as usize];
+        let (g_end, h_end) = (next(g), next(h));
+        let same_way = vertex(g) == vertex(h);
+        corners.join(g, if same_way { h } else { h_end });
+        corners.join(g_end, if same_way { h_end } else { h });
+    };
+    for edge in edges.iter() {
+        if let &[g, h] = edge {
+            join(&mut corners, g, h);
+        }
     }
-    let mut sums: Vec<(u32, i64)> = Vec::new();
+    if edges.iter().all(|edge| edge.len() < 3) {
+        return Ok(corners);
+    }
+    let mut sheets = Sets::new(work.faces.len())?;
+    for edge in edges.iter() {
+        if let &[g, h] = edge {
+            sheets.join(of_half_edge[g as usize], of_half_edge[h as usize]);
+        }
+    }
+    let mut by_sheet: Vec<(u32, u32)> = Vec::new();
     for edge in edges.iter().filter(|edge| edge.len() > 2) {
-        for v in [topology.origin(edge[0]), topology.target(edge[0])] {
-            sums.clear();
-            let step = |h: u32| if topology.origin(h) == v { 1 } else { -1 };
-            sums.extend(edge.iter().map(|&h| (fans.find(corner_at(h, v)), step(h))));
-            sums.sort_unstable();
-            let mut unbalanced = None;
-            for group in sums.chunk_by(|a, b| a.0 == b.0) {
-                if group.iter().map(|s| s.1).sum::<i64>() != 0 || group.len() % 2 == 1 {
-                    fans.join(*unbalanced.get_or_insert(group[0].0), group[0].0);
-                }
-            }
+        by_sheet.clear();
+        by_sheet.extend(edge.iter().map(|&h| (sheets.find(of_half_edge[h as usize]), h)));
+        by_sheet.sort_unstable();
+        let paired = by_sheet.chunk_by(|a, b| a.0 == b.0).all(|sheet| sheet.len() == 2);
+        for pair in by_sheet.windows(2).filter(|pair| !paired || pair[0].0 == pair[1].0) {
+            join(&mut corners, pair[0].1, pair[1].1);
         }
     }
-    let mut first = filled("vertices", mesh.vertices().len(), u32::MAX)?;
-    let mut input: Option<Input> = None;
-    let mut new_row = std::collections::BTreeMap::new();
-    for v in 0..first.len() as u32 {
-        for &corner in topology.outgoing(v) {
-            let fan = fans.find(corner);
-            let kept = &mut first[v as usize];
-            if *kept == u32::MAX {
-                *kept = fan;
-            }
-            if fan == *kept {
-                continue;
-            }
-            let input = match &mut input {
-                Some(input) => input,
-                none => none.insert(mesh.as_input()?),
-            };
-            let old = input.faces.corners[corner as usize];
-            let row = match new_row.get(&(fan, old)) {
-                Some(row) => *row,
-                None => {
-                    let row = input.positions.len() as u32;
-                    let vertex = *new_row.entry((fan, u32::MAX)).or_insert(row);
-                    add_row(input, old, vertex)?;
-                    new_row.insert((fan, old), row);
-                    row
-                }
-            };
-            input.faces.corners[corner as usize] = row;
-        }
-    }
-    Ok(input)
+    Ok(corners)
 }
 
-/// A copy of a row, at a vertex of its own or one that another row has.
-fn add_row(input: &mut Input, row: u32, vertex: u32) -> Result<()> {
-    let count = input.positions.len() + 1;
-    if count >= u32::MAX as usize {
-        return Err(Error::invalid(format!("mesh: split it has more than {} vertices", u32::MAX - 1)));
+/// Gives each fan of a vertex but the one with the lowest corner a vertex of its own, at the same position.
+pub(super) fn split(work: &mut Work, repairs: &mut Repairs) -> Result<()> {
+    let edges = Edges::of(work.positions.len(), work.faces.half_edges())?;
+    let of_half_edge = work.faces.of_half_edges()?;
+    let mut fans = fans(work, &edges, &of_half_edge)?;
+    drop((edges, of_half_edge));
+    let mut first_fan = filled("vertices", work.positions.len(), NONE)?;
+    let mut vertex_of_fan = filled("corners", work.faces.corners.len(), NONE)?;
+    let mut copies = Vec::new();
+    for h in 0..work.faces.corners.len() {
+        let (v, fan) = (work.faces.corners[h], fans.find(h as u32) as usize);
+        if first_fan[v as usize] == NONE {
+            first_fan[v as usize] = fan as u32;
+            vertex_of_fan[fan] = v;
+        } else if vertex_of_fan[fan] == NONE {
+            let copy = work.positions.len() + copies.len();
+            fits("vertices", copy + 1)?;
+            push(&mut copies, "vertices", work.positions[v as usize])?;
+            vertex_of_fan[fan] = copy as u32;
+        }
+        work.faces.corners[h] = vertex_of_fan[fan];
     }
-    let reserved = input.positions.try_reserve(1).and(input.same_as.try_reserve(1));
-    reserved.map_err(|_| Error::memory("vertices", count))?;
-    input.positions.push(input.positions[row as usize]);
-    input.same_as.push(vertex);
-    for field in &mut input.vertex_data {
-        let item = row as usize * field.components..(row as usize + 1) * field.components;
-        field.values.try_reserve(field.components).map_err(|_| Error::memory("values", field.values.len()))?;
-        field.values.extend_from_within(item);
+    if !copies.is_empty() {
+        repairs.vertices_split = copies.len();
+        work.positions.try_reserve(copies.len()).map_err(|_| Error::memory("vertices", copies.len()))?;
+        work.positions.append(&mut copies);
+        work.changed = true;
     }
     Ok(())
 }
