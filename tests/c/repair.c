@@ -42,6 +42,7 @@ static void repairs(void) {
   CHECK(emb_mesh_face_corner_count(whole, 11) == 0 && emb_mesh_face_corner_count(whole, 12) == 3);
 
   options.flags = 0;
+  options.hole_edges = 1000;
   CHECK(emb_mesh_repair(mesh, &options, NULL, &result, &same) == EMB_OK);
   CHECK(result.duplicate_faces == 0 && result.faces_turned == 0 && result.holes_filled == 0);
   CHECK(emb_mesh_report_get(same, &report) == EMB_OK && report.duplicate_faces == 1 && report.inconsistent_edges > 0);
