@@ -58,8 +58,7 @@ impl Tree {
         let bounds = boxes.iter().fold(Aabb::EMPTY, |all, b| all.hull(*b));
         let mut order: Vec<u32> = try_with_capacity("primitives", boxes.len())?;
         order.extend(0..boxes.len() as u32);
-        let (center, diagonal) = (bounds.center(), bounds.diagonal());
-        let tree = Tree { nodes: Vec::new(), center, diagonal, scale: scale_of(diagonal), depth: 0 };
+        let tree = Tree { nodes: Vec::new(), center: bounds.center(), scale: scale_of(bounds.diagonal()), depth: 0 };
         let upper = try_with_capacity("primitives", boxes.len())?;
         let mut builder = Builder { boxes, order, tree, start: vec![0], upper, leaf_size };
         builder.node(Run { from: 0, to: boxes.len(), bounds }, 0)?;

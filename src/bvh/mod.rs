@@ -39,8 +39,6 @@ pub(crate) struct Tree {
     nodes: Vec<Node>,
     /// Middle of all boxes; everything in `nodes` is relative to it.
     center: Vec3,
-    /// Length of the diagonal of all boxes.
-    diagonal: f64,
     /// A power of two that brings everything in `nodes` to a size of about one, so that f32 neither overflows
     /// nor underflows.
     scale: f64,
@@ -64,9 +62,16 @@ impl Tree {
         (lo.to_array().map(f32_below), hi.to_array().map(f32_above))
     }
 
-    /// Length of the diagonal of all boxes.
-    pub(crate) fn diagonal(&self) -> f64 {
-        self.diagonal
+    /// A point relative to the centre and scaled: those in the boxes come to lie within one of the origin.
+    #[inline(always)]
+    pub(crate) fn place(&self, p: Vec3) -> Vec3 {
+        (p - self.center) * self.scale
+    }
+
+    /// A distance as [`Tree::place`] scales it, to the nearest f32.
+    #[inline(always)]
+    pub(crate) fn scaled(&self, distance: f64) -> f32 {
+        (distance * self.scale) as f32
     }
 
     /// Memory of the arrays.

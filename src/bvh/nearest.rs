@@ -5,14 +5,19 @@
 
 use super::{LEAF, Node, Tree};
 use crate::math::Vec3;
-use crate::simd::lanes::{F32x8, I32x8, WIDTH};
+use crate::simd::float8::{Float8, Keys8, LANE, Simd};
+use crate::simd::lanes::WIDTH;
 use crate::simd::prefetch;
 
 /// What a leaf does with the search: lowers its bound when it finds something nearer.
-pub(crate) trait LeafDistance {
-    /// Looks at a leaf; the distance beyond which nothing is of interest any more, widened by the rounding of
-    /// the primitives' own distances.
-    fn visit(&mut self, leaf: usize) -> f64;
+pub(crate) trait LeafDistance<S: Simd> {
+    /// Looks at a leaf; the distance, as [`Tree::place`] scales it, beyond which nothing is of interest any more, widened
+    /// by the rounding of the primitives' own distances.
+    fn visit(&mut self, simd: S, leaf: usize) -> f32;
+
+    /// The search is over.
+    #[inline(always)]
+    fn finish(&mut self) {}
 }
 
 /// The bound while nothing is known: infinity, in order.
@@ -20,25 +25,25 @@ const UNBOUNDED: i32 = f32::INFINITY.to_bits() as i32;
 
 /// Room for the deepest tree: 16 levels by cost, then halves (31 binary levels, 3 to a node), all eight
 /// children waiting on each.
-const DEEPEST: usize = 8 * (16 + 12);
+const DEEPEST: usize = (8 * (16 + 12usize)).next_power_of_two();
 
 /// Room for eight levels; clearing more than is needed costs as much as a node.
 const COMMON: usize = 64;
 
-/// Visits leaves until none can hold anything nearer than the bound, which starts as given. Boxes around
+/// Visits leaves until none can hold anything nearer than the bound, which starts as given and scaled. Boxes around
 /// the point are at distance zero, or, where `SIGNED`, at minus the distance to their nearest face.
 #[inline(always)]
-pub(crate) fn nearest<const SIGNED: bool>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
+pub(crate) fn nearest<S: Simd, const SIGNED: bool>(
+    simd: S,
+    tree: &Tree,
+    p: Vec3,
+    start: f32,
+    leaf: &mut impl LeafDistance<S>,
+) {
     match WIDTH * tree.depth <= COMMON {
-        true => Descent::<COMMON>::new(tree, p).finish::<SIGNED>(tree, start, leaf),
-        false => nearest_in_deep::<SIGNED>(tree, p, start, leaf),
+        true => Descent::<COMMON>::new(tree, p).finish::<S, SIGNED>(simd, tree, start, leaf),
+        false => Descent::<DEEPEST>::new(tree, p).finish::<S, SIGNED>(simd, tree, start, leaf),
     }
-}
-
-#[cold]
-#[inline(never)]
-fn nearest_in_deep<const SIGNED: bool>(tree: &Tree, p: Vec3, start: f64, leaf: &mut impl LeafDistance) {
-    Descent::<DEEPEST>::new(tree, p).finish::<SIGNED>(tree, start, leaf);
 }
 
 /// Points that go down a tree side by side.
@@ -47,15 +52,16 @@ pub(crate) const GROUP: usize = 16;
 /// [`nearest`] for up to [`GROUP`] points, each with its own start and leaf in `searches`. They go down to their first leaves
 /// level by level, so that the memory of one is fetched while others are computed; `fetch` asks for a leaf's.
 #[inline(always)]
-pub(crate) fn nearest_for_group<const SIGNED: bool, L: LeafDistance>(
+pub(crate) fn nearest_for_group<S: Simd, const SIGNED: bool, L: LeafDistance<S>>(
+    simd: S,
     tree: &Tree,
     points: &[Vec3],
     fetch: impl Fn(usize),
-    searches: impl Iterator<Item = (f64, L)>,
+    searches: impl Iterator<Item = (f32, L)>,
 ) {
     if WIDTH * tree.depth > COMMON {
         for (p, (start, mut leaf)) in points.iter().zip(searches) {
-            nearest_in_deep::<SIGNED>(tree, *p, start, &mut leaf);
+            Descent::<DEEPEST>::new(tree, *p).finish::<S, SIGNED>(simd, tree, start, &mut leaf);
         }
         return;
     }
@@ -68,7 +74,7 @@ pub(crate) fn nearest_for_group<const SIGNED: bool, L: LeafDistance>(
             if descent.child & LEAF != 0 {
                 continue;
             }
-            descent.down::<SIGNED>(tree);
+            descent.down::<S, SIGNED>(simd, tree);
             match descent.child & LEAF {
                 0 => prefetch(&tree.nodes[descent.child as usize]),
                 _ => fetch((descent.child & !LEAF) as usize),
@@ -76,16 +82,16 @@ pub(crate) fn nearest_for_group<const SIGNED: bool, L: LeafDistance>(
         }
     }
     for (descent, (start, mut leaf)) in descents.iter_mut().zip(searches) {
-        descent.finish::<SIGNED>(tree, start, &mut leaf);
+        descent.finish::<S, SIGNED>(simd, tree, start, &mut leaf);
     }
 }
 
-/// A search under way.
+/// A search under way. `STACK` is a power of two; indices into the stack are masked by it, which spares the check.
 struct Descent<const STACK: usize> {
     /// The point relative to the tree and scaled.
     at: [f32; 3],
     /// What distances are widened by for the rounding of f32.
-    room: f64,
+    room: f32,
     /// Two arrays side by side: a node's eight keys and children are stored at once.
     keys: [i32; STACK],
     waiting: [u32; STACK],
@@ -107,78 +113,85 @@ impl<const STACK: usize> Descent<STACK> {
 
     #[inline(always)]
     fn place(&mut self, tree: &Tree, p: Vec3) {
-        let at = (p - tree.center) * tree.scale;
+        let at = tree.place(p);
         // Room for the rounding of the point, of the differences and of the squares to f32, and for the lanes'
         // numbers in the keys: boxes are within 1.
-        self.room = 4e-6 * (1.0 + at.abs().max_element());
+        self.room = (4e-6 * (1.0 + at.abs().max_element())) as f32;
         self.at = [at.x as f32, at.y as f32, at.z as f32];
     }
 
     /// From a node to its nearest child; the others wait. Sorting them would cost more than what their order
     /// saves.
     #[inline(always)]
-    fn down<const SIGNED: bool>(&mut self, tree: &Tree) {
+    fn down<S: Simd, const SIGNED: bool>(&mut self, simd: S, tree: &Tree) {
         let node = &tree.nodes[self.child as usize];
-        let keys = box_keys::<SIGNED>(node, self.at);
-        let nearest = keys.least() as usize & (WIDTH - 1);
-        self.keys[self.top..self.top + WIDTH].copy_from_slice(&keys.0);
-        self.waiting[self.top..self.top + WIDTH].copy_from_slice(&node.child);
-        self.keys[self.top + nearest] = i32::MAX;
+        let keys = box_keys::<S, SIGNED>(simd, node, self.at);
+        let nearest = (keys.least() & LANE) as usize;
+        let top = self.top;
+        self.keys[top..top + WIDTH].copy_from_slice(&keys.lanes());
+        self.waiting[top..top + WIDTH].copy_from_slice(&node.child);
+        self.keys[(top + nearest) & (STACK - 1)] = i32::MAX;
         self.top += WIDTH;
         self.child = node.child[nearest];
     }
 
     #[inline(always)]
-    fn finish<const SIGNED: bool>(&mut self, tree: &Tree, start: f64, leaf: &mut impl LeafDistance) {
+    fn finish<S: Simd, const SIGNED: bool>(
+        &mut self,
+        simd: S,
+        tree: &Tree,
+        start: f32,
+        leaf: &mut impl LeafDistance<S>,
+    ) {
         let room = self.room;
-        let limit = |distance: f64| {
+        let limit = |distance: f32| {
             // Minus infinity, where nothing is of interest any more, has no key.
-            let distance = (distance * tree.scale).max(-1e15) + room;
+            let distance = if distance > -1e15 { distance } else { -1e15 } + room;
             let key = distance * distance.abs();
             // Rounded to nearest: the room above is larger by far.
-            order(((key + key.abs() * 1e-6) as f32).to_bits() as i32) | LANE
+            order((key + key.abs() * 1e-6).to_bits() as i32) | LANE
         };
         let mut bound = limit(start);
         loop {
             if self.child & LEAF != 0 {
-                bound = limit(leaf.visit((self.child & !LEAF) as usize));
+                bound = limit(leaf.visit(simd, (self.child & !LEAF) as usize));
             } else if bound >= UNBOUNDED {
                 // The way down to the first leaf.
-                self.down::<SIGNED>(tree);
+                self.down::<S, SIGNED>(simd, tree);
                 continue;
             } else {
                 let node = &tree.nodes[self.child as usize];
-                let keys = box_keys::<SIGNED>(node, self.at);
+                let keys = box_keys::<S, SIGNED>(simd, node, self.at);
                 let (first, mut near) = (self.top, keys.at_most(bound));
+                let keys = keys.lanes();
                 while near != 0 {
                     let k = near.trailing_zeros() as usize & (WIDTH - 1);
                     near &= near - 1;
                     // Insert so that the nearest ends on top.
                     let mut i = self.top;
-                    while i > first && self.keys[i - 1] < keys.0[k] {
-                        (self.keys[i], self.waiting[i]) = (self.keys[i - 1], self.waiting[i - 1]);
+                    while i > first && self.keys[(i - 1) & (STACK - 1)] < keys[k] {
+                        let (to, from) = (i & (STACK - 1), (i - 1) & (STACK - 1));
+                        (self.keys[to], self.waiting[to]) = (self.keys[from], self.waiting[from]);
                         i -= 1;
                     }
-                    (self.keys[i], self.waiting[i]) = (keys.0[k], node.child[k]);
+                    (self.keys[i & (STACK - 1)], self.waiting[i & (STACK - 1)]) = (keys[k], node.child[k]);
                     self.top += 1;
                 }
             }
             loop {
                 if self.top == 0 {
-                    return;
+                    return leaf.finish();
                 }
                 self.top -= 1;
-                if self.keys[self.top] <= bound {
-                    self.child = self.waiting[self.top];
+                let top = self.top & (STACK - 1);
+                if self.keys[top] <= bound {
+                    self.child = self.waiting[top];
                     break;
                 }
             }
         }
     }
 }
-
-/// The last bits of a key, which hold the lane.
-const LANE: i32 = WIDTH as i32 - 1;
 
 /// Numbers that compare as integers in the order of the floats; NaN is not among them.
 #[inline(always)]
@@ -189,27 +202,21 @@ fn order(bits: i32) -> i32 {
 /// Signed square, in order, of the distance from a point to each box, with the lane in the last bits; an
 /// unused child is further than infinity.
 #[inline(always)]
-fn box_keys<const SIGNED: bool>(node: &Node, at: [f32; 3]) -> I32x8 {
-    let zero = F32x8::splat(0.0);
+fn box_keys<S: Simd, const SIGNED: bool>(simd: S, node: &Node, at: [f32; 3]) -> <S::Float as Float8<S>>::Keys {
+    let zero = S::Float::splat(simd, 0.0);
     let outside = |axis: usize| {
-        let at = F32x8::splat(at[axis]);
-        F32x8(node.lo[axis]).sub(at).max(at.sub(F32x8(node.hi[axis])))
+        let at = S::Float::splat(simd, at[axis]);
+        S::Float::load(simd, &node.lo[axis]).sub(at).max(at.sub(S::Float::load(simd, &node.hi[axis])))
     };
     let (u, v, w) = (outside(0), outside(1), outside(2));
     let (x, y, z) = (u.max(zero), v.max(zero), w.max(zero));
-    let mut keys = x.mul(x).add(y.mul(y)).add(z.mul(z)).bits();
+    let squares = x.mul(x).add(y.mul(y)).add(z.mul(z));
     if SIGNED {
         // Not positive: minus its square, as bits in order, where it is the deepest of all.
-        let deepest = zero.sub(u.max(v).max(w).max(F32x8::splat(-f32::MAX)));
+        let deepest = zero.sub(u.max(v).max(w).max(S::Float::splat(simd, -f32::MAX)));
         let inside = deepest.max(zero);
-        let below = inside.mul(inside).bits();
-        keys = keys.zip(below, |key, below| if below != 0 { !below } else { key });
+        squares.signed_keys(inside.mul(inside), &node.child)
+    } else {
+        squares.keys(&node.child)
     }
-    let lanes = I32x8([0, 1, 2, 3, 4, 5, 6, 7]);
-    let keys = keys.zip(lanes, |key, lane| (key & !LANE) | lane);
-    let mut child = [0; WIDTH];
-    for k in 0..WIDTH {
-        child[k] = node.child[k] as i32;
-    }
-    keys.zip(I32x8(child), |key, child| if child == -1 { i32::MAX } else { key })
 }

@@ -9,6 +9,7 @@
 use super::{LEAF, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::Aabb;
+use crate::simd::float8::Simd;
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
 
@@ -207,7 +208,7 @@ impl Kernel for OfLeaf<'_, '_> {
     type Output = Result<()>;
 
     #[inline(always)]
-    fn run(self) -> Result<()> {
+    fn run<S: Simd>(self, _: S) -> Result<()> {
         let OfLeaf { pairs, leaf, apart, stack, out } = self;
         let hull = pairs.boxes[leaf].hull();
         let own = pairs.group(leaf as u32 | LEAF);

@@ -7,7 +7,7 @@ use super::measure::{Sum, area, twice_area};
 use crate::math::{Vec3, cross_of_differences, length, positive_zero, unit};
 use crate::primitive::inside::{Inside, contains};
 use crate::primitive::polygon::{are_collinear, area_vector, projection};
-use crate::primitive::triangle::{Prepared, V3, nearest};
+use crate::primitive::triangle::{self, Prepared, V3, nearest};
 use std::ops::Range;
 
 /// One element of the surface as it stands.
@@ -161,7 +161,7 @@ impl Mesh {
             let prepared = Prepared::new(corners);
             let foot = nearest(&prepared, V3::from_vec(p));
             if foot.squared < best.0 {
-                best = (foot.squared, prepared.point(p, &foot).0);
+                best = (foot.squared, triangle::point(corners, triangle::normal(corners), p, &foot));
             }
         }
         if best.0 == f64::INFINITY { self.vertices()[self.half_edges().corners(f)[0] as usize] } else { best.1 }

@@ -5,6 +5,7 @@ pub(crate) mod contact;
 pub(crate) mod crossing;
 pub(crate) mod cuboid;
 pub(crate) mod ellipsoid;
+pub(crate) mod estimate;
 pub(crate) mod fan;
 pub mod inside;
 pub(crate) mod least_area;

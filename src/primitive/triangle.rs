@@ -34,6 +34,12 @@ impl<L: Lanes> V3<L> {
     }
 
     #[inline(always)]
+    fn cross(self, o: V3<L>) -> V3<L> {
+        let ([a, b, c], [d, e, f]) = (self.0, o.0);
+        V3([b * f - e * c, c * d - f * a, a * e - d * b])
+    }
+
+    #[inline(always)]
     fn select(mask: L::Mask, yes: V3<L>, no: V3<L>) -> V3<L> {
         V3([L::select(mask, yes.0[0], no.0[0]), L::select(mask, yes.0[1], no.0[1]), L::select(mask, yes.0[2], no.0[2])])
     }
@@ -73,42 +79,44 @@ pub(crate) struct Foot<L> {
     pub(crate) along: L,
 }
 
+/// The unit normal of a triangle; zero where its area is.
+pub(crate) fn normal([a, b, c]: [Vec3; 3]) -> Vec3 {
+    unit(cross_of_differences(a, b, c))
+}
+
+impl<L: Lanes> Prepared<L> {
+    /// From corners and unit normal: about 50 operations, three of them divisions.
+    #[inline(always)]
+    pub(crate) fn of(corner: [V3<L>; 3], normal: V3<L>) -> Prepared<L> {
+        let [a, b, c] = corner;
+        let edges = [b.sub(a), c.sub(b), a.sub(c)];
+        let inward = [normal.cross(edges[0]), normal.cross(edges[1]), normal.cross(edges[2])];
+        let inverse = [inverse(edges[0]), inverse(edges[1]), inverse(edges[2])];
+        Prepared { corner, normal, inward, inverse }
+    }
+}
+
+/// One over the squared length; zero where that is next to nothing.
+#[inline(always)]
+fn inverse<L: Lanes>(edge: V3<L>) -> L {
+    let squared = edge.dot(edge);
+    L::select(L::splat(1e-290).lt(squared), L::splat(1.0) / squared, L::splat(0.0))
+}
+
 impl Prepared<f64> {
-    pub(crate) fn new([a, b, c]: [Vec3; 3]) -> Prepared<f64> {
-        let normal = unit(cross_of_differences(a, b, c));
-        let edges = [b - a, c - b, a - c];
-        Prepared {
-            corner: [a, b, c].map(V3::from_vec),
-            normal: V3::from_vec(normal),
-            inward: edges.map(|e| V3::from_vec(normal.cross(e))),
-            inverse: edges.map(|e| {
-                let squared = e.dot(e);
-                if squared > 1e-290 { 1.0 / squared } else { 0.0 }
-            }),
-        }
+    pub(crate) fn new(corners: [Vec3; 3]) -> Prepared<f64> {
+        Prepared::of(corners.map(V3::from_vec), V3::from_vec(normal(corners)))
     }
 
-    /// The nearest point and its barycentric coordinates, given the kernel's answer for `p`.
-    pub(crate) fn point(&self, p: Vec3, foot: &Foot<f64>) -> (Vec3, Vec3) {
-        let corner = self.corner.map(V3::to_vec);
-        let feature = foot.feature as usize;
+    /// The barycentric coordinates of the nearest point, given what the kernel and [`point`] say.
+    pub(crate) fn barycentric(&self, feature: usize, along: f64, point: Vec3) -> Vec3 {
         let mut weights = [0.0; 3];
         match feature {
-            0 => {
-                let normal = self.normal.to_vec();
-                let point = p - normal * normal.dot(p - corner[0]);
-                (point, self.weights(point))
-            }
-            1..=3 => {
-                let (i, j) = (feature - 1, feature % 3);
-                (weights[i], weights[j]) = (1.0 - foot.along, foot.along);
-                (corner[i] + (corner[j] - corner[i]) * foot.along, Vec3::from_array(weights))
-            }
-            _ => {
-                weights[feature - 4] = 1.0;
-                (corner[feature - 4], Vec3::from_array(weights))
-            }
+            0 => return self.weights(point),
+            1..=3 => (weights[feature - 1], weights[feature % 3]) = (1.0 - along, along),
+            _ => weights[feature - 4] = 1.0,
         }
+        Vec3::from_array(weights)
     }
 
     /// Barycentric coordinates of a point of the triangle: the height over the longest edge, relative to the
@@ -129,6 +137,18 @@ impl Prepared<f64> {
         let mut weights = [0.0; 3];
         (weights[top], weights[j], weights[i]) = (height, along, 1.0 - height - along);
         Vec3::from_array(weights)
+    }
+}
+
+/// The nearest point, given the kernel's answer for `p`.
+pub(crate) fn point(corner: [Vec3; 3], normal: Vec3, p: Vec3, foot: &Foot<f64>) -> Vec3 {
+    match foot.feature as usize {
+        0 => p - normal * normal.dot(p - corner[0]),
+        feature @ 1..=3 => {
+            let (i, j) = (feature - 1, feature % 3);
+            corner[i] + (corner[j] - corner[i]) * foot.along
+        }
+        feature => corner[feature - 4],
     }
 }
 
@@ -192,6 +212,13 @@ mod tests {
     use super::*;
     use crate::simd::lanes::F64x8;
 
+    fn point_and_weights(corners: [Vec3; 3], p: Vec3) -> (Vec3, Vec3) {
+        let prepared = Prepared::new(corners);
+        let foot = nearest(&prepared, V3::from_vec(p));
+        let point = point(corners, normal(corners), p, &foot);
+        (point, prepared.barycentric(foot.feature as usize, foot.along, point))
+    }
+
     fn gathered(lanes: &[Prepared<f64>; 8]) -> Prepared<F64x8> {
         let vector = |get: &dyn Fn(&Prepared<f64>) -> V3<f64>| {
             V3(std::array::from_fn(|axis| F64x8(std::array::from_fn(|k| get(&lanes[k]).0[axis]))))
@@ -210,7 +237,7 @@ mod tests {
         type Output = Foot<F64x8>;
 
         #[inline(always)]
-        fn run(self) -> Foot<F64x8> {
+        fn run<S: crate::simd::float8::Simd>(self, _: S) -> Foot<F64x8> {
             let p = V3([F64x8::splat(self.1.x), F64x8::splat(self.1.y), F64x8::splat(self.1.z)]);
             nearest(self.0, p)
         }
@@ -259,8 +286,7 @@ mod tests {
                     }
                 }
                 let inside = start * 0.5 + end * 0.25 + third * 0.25;
-                let foot = nearest(&prepared, V3::from_vec(inside));
-                let (point, weights) = prepared.point(inside, &foot);
+                let (point, weights) = point_and_weights([start, end, third], inside);
                 let rebuilt = start * weights.x + end * weights.y + third * weights.z;
                 assert!((rebuilt - point).length() < 2.0 * width + 1e-14, "{width} {rebuilt} {point}");
             }
@@ -275,7 +301,7 @@ mod tests {
             let prepared = Prepared::new(corners);
             let p = vector(&mut state) * 1.5;
             let foot = nearest(&prepared, V3::from_vec(p));
-            let (point, weights) = prepared.point(p, &foot);
+            let (point, weights) = point_and_weights(corners, p);
             let rebuilt = corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z;
             assert!((rebuilt - point).length() < 1e-12 && (weights.element_sum() - 1.0).abs() < 1e-12);
             assert!(((p - point).length() - foot.squared.sqrt()).abs() < 1e-12);

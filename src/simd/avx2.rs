@@ -1,9 +1,179 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Entry point for AVX2.
+//! Entry point for AVX2, and its vectors of eight f32.
 
 use super::Kernel;
+use super::float8::{Float8, Keys8, LANE, Simd};
+use super::lanes::WIDTH;
+use std::arch::x86_64::*;
+
+/// The processor has AVX2. Made here alone.
+#[derive(Clone, Copy)]
+pub(crate) struct Avx2(());
 
 #[target_feature(enable = "avx2")]
 pub(super) fn run<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run()
+    kernel.run(Avx2(()))
+}
+
+impl Avx2 {
+    /// # Safety
+    /// The processor has AVX2.
+    #[inline(always)]
+    pub(super) unsafe fn assumed() -> Avx2 {
+        Avx2(())
+    }
+}
+
+impl Simd for Avx2 {
+    type Float = Floats;
+}
+
+/// Eight f32; there are none without an [`Avx2`].
+#[derive(Clone, Copy)]
+pub(crate) struct Floats(__m256);
+
+/// Eight i32.
+#[derive(Clone, Copy)]
+pub(crate) struct Keys(__m256i);
+
+// Throughout, the instructions are there: who has an operand had an Avx2 to make it.
+impl Float8<Avx2> for Floats {
+    type Keys = Keys;
+
+    #[inline(always)]
+    fn load(_: Avx2, lanes: &[f32; WIDTH]) -> Floats {
+        // SAFETY: eight lanes; see above.
+        Floats(unsafe { _mm256_loadu_ps(lanes.as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn splat(_: Avx2, x: f32) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_set1_ps(x) })
+    }
+
+    #[inline(always)]
+    fn add(self, other: Floats) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_add_ps(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn sub(self, other: Floats) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_sub_ps(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn mul(self, other: Floats) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_mul_ps(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn max(self, other: Floats) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_max_ps(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn min(self, other: Floats) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_min_ps(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_sqrt_ps(self.0) })
+    }
+
+    #[inline(always)]
+    fn zero_where_positive(self, other: Floats) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_andnot_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(other.0, _mm256_setzero_ps()), self.0) })
+    }
+
+    #[inline(always)]
+    fn least(self) -> f32 {
+        // SAFETY: see above.
+        unsafe {
+            let half = _mm_min_ps(_mm256_castps256_ps128(self.0), _mm256_extractf128_ps::<1>(self.0));
+            let pair = _mm_min_ps(half, _mm_movehl_ps(half, half));
+            _mm_cvtss_f32(_mm_min_ss(pair, _mm_movehdup_ps(pair)))
+        }
+    }
+
+    #[inline(always)]
+    fn not_above(self, limit: f32) -> u32 {
+        // SAFETY: see above.
+        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_NGT_UQ>(self.0, _mm256_set1_ps(limit))) as u32 }
+    }
+
+    #[inline(always)]
+    fn lanes(self) -> [f32; WIDTH] {
+        let mut lanes = [0.0; WIDTH];
+        // SAFETY: room for eight; see above.
+        unsafe { _mm256_storeu_ps(lanes.as_mut_ptr(), self.0) };
+        lanes
+    }
+
+    #[inline(always)]
+    fn keys(self, child: &[u32; WIDTH]) -> Keys {
+        // SAFETY: see above.
+        keyed(unsafe { _mm256_castps_si256(self.0) }, child)
+    }
+
+    #[inline(always)]
+    fn signed_keys(self, below: Floats, child: &[u32; WIDTH]) -> Keys {
+        // SAFETY: see above.
+        let keys = unsafe {
+            let below = _mm256_castps_si256(below.0);
+            let none = _mm256_cmpeq_epi32(below, _mm256_setzero_si256());
+            let turned = _mm256_xor_si256(below, _mm256_set1_epi32(-1));
+            _mm256_blendv_epi8(turned, _mm256_castps_si256(self.0), none)
+        };
+        keyed(keys, child)
+    }
+}
+
+#[inline(always)]
+fn keyed(keys: __m256i, child: &[u32; WIDTH]) -> Keys {
+    // SAFETY: eight children; the operand is there.
+    Keys(unsafe {
+        let lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+        let keys = _mm256_or_si256(_mm256_and_si256(keys, _mm256_set1_epi32(!LANE)), lanes);
+        let child = _mm256_loadu_si256(child.as_ptr().cast());
+        let unused = _mm256_cmpeq_epi32(child, _mm256_set1_epi32(-1));
+        _mm256_blendv_epi8(keys, _mm256_set1_epi32(i32::MAX), unused)
+    })
+}
+
+impl Keys8 for Keys {
+    #[inline(always)]
+    fn at_most(self, limit: i32) -> u32 {
+        // SAFETY: the operand is there.
+        unsafe {
+            let above = _mm256_cmpgt_epi32(self.0, _mm256_set1_epi32(limit));
+            !_mm256_movemask_ps(_mm256_castsi256_ps(above)) as u32 & 0xFF
+        }
+    }
+
+    #[inline(always)]
+    fn least(self) -> i32 {
+        // SAFETY: the operand is there.
+        unsafe {
+            let half = _mm_min_epi32(_mm256_castsi256_si128(self.0), _mm256_extracti128_si256::<1>(self.0));
+            let pair = _mm_min_epi32(half, _mm_shuffle_epi32::<0b00_00_11_10>(half));
+            _mm_cvtsi128_si32(_mm_min_epi32(pair, _mm_shuffle_epi32::<0b00_00_00_01>(pair)))
+        }
+    }
+
+    #[inline(always)]
+    fn lanes(self) -> [i32; WIDTH] {
+        let mut lanes = [0; WIDTH];
+        // SAFETY: room for eight; the operand is there.
+        unsafe { _mm256_storeu_si256(lanes.as_mut_ptr().cast(), self.0) };
+        lanes
+    }
 }

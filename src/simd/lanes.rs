@@ -3,10 +3,12 @@
 //! scalar one is the brute-force twin of the vector one. Plain loops over arrays, which the compiler
 //! turns into vector instructions of the level it compiles for.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 /// Values that kernels compute with. A comparison with NaN is false.
-pub(crate) trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+pub(crate) trait Lanes:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
     type Mask: Copy;
     fn splat(x: f64) -> Self;
     /// `self < other`.
@@ -81,6 +83,7 @@ macro_rules! lanewise {
 lanewise!(Add, add, +);
 lanewise!(Sub, sub, -);
 lanewise!(Mul, mul, *);
+lanewise!(Div, div, /);
 
 impl F64x8 {
     /// Square roots, correctly rounded.
@@ -163,80 +166,11 @@ pub(crate) struct I32x8(pub(crate) [i32; WIDTH]);
 
 impl F32x8 {
     #[inline(always)]
-    pub(crate) fn splat(x: f32) -> F32x8 {
-        F32x8([x; WIDTH])
-    }
-
-    #[inline(always)]
-    fn zip(self, other: F32x8, f: impl Fn(f32, f32) -> f32) -> F32x8 {
+    pub(super) fn zip(self, other: F32x8, f: impl Fn(f32, f32) -> f32) -> F32x8 {
         let mut out = [0.0; WIDTH];
         for k in 0..WIDTH {
             out[k] = f(self.0[k], other.0[k]);
         }
         F32x8(out)
-    }
-
-    #[inline(always)]
-    pub(crate) fn add(self, other: F32x8) -> F32x8 {
-        self.zip(other, |a, b| a + b)
-    }
-
-    #[inline(always)]
-    pub(crate) fn sub(self, other: F32x8) -> F32x8 {
-        self.zip(other, |a, b| a - b)
-    }
-
-    #[inline(always)]
-    pub(crate) fn mul(self, other: F32x8) -> F32x8 {
-        self.zip(other, |a, b| a * b)
-    }
-
-    /// The greater; the second where one is NaN.
-    #[inline(always)]
-    pub(crate) fn max(self, other: F32x8) -> F32x8 {
-        self.zip(other, |a, b| if a > b { a } else { b })
-    }
-
-    /// The bits as integers.
-    #[inline(always)]
-    pub(crate) fn bits(self) -> I32x8 {
-        let mut out = [0; WIDTH];
-        for k in 0..WIDTH {
-            out[k] = self.0[k].to_bits() as i32;
-        }
-        I32x8(out)
-    }
-}
-
-impl I32x8 {
-    /// `f` of each pair of lanes.
-    #[inline(always)]
-    pub(crate) fn zip(self, other: I32x8, f: impl Fn(i32, i32) -> i32) -> I32x8 {
-        let mut out = [0; WIDTH];
-        for k in 0..WIDTH {
-            out[k] = f(self.0[k], other.0[k]);
-        }
-        I32x8(out)
-    }
-
-    /// The least.
-    #[inline(always)]
-    pub(crate) fn least(self) -> i32 {
-        let min = |a: i32, b: i32| if b < a { b } else { a };
-        let mut half = [0; WIDTH / 2];
-        for k in 0..WIDTH / 2 {
-            half[k] = min(self.0[k], self.0[k + WIDTH / 2]);
-        }
-        min(min(half[0], half[2]), min(half[1], half[3]))
-    }
-
-    /// A bit for each lane that is at most `limit`.
-    #[inline(always)]
-    pub(crate) fn at_most(self, limit: i32) -> u32 {
-        let mut bits = [0; WIDTH];
-        for k in 0..WIDTH {
-            bits[k] = if self.0[k] <= limit { 1 << k } else { 0 };
-        }
-        bits.iter().fold(0, |all, bit| all | bit)
     }
 }

@@ -10,8 +10,10 @@ mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 pub(crate) mod environment;
+pub(crate) mod float8;
 pub(crate) mod lanes;
 
+use float8::{Plain, Simd};
 use std::sync::OnceLock;
 
 /// An instruction set that kernels are compiled for.
@@ -28,13 +30,13 @@ enum Level {
 /// inlined is compiled for the baseline.
 pub(crate) trait Kernel {
     type Output;
-    fn run(self) -> Self::Output;
+    fn run<S: Simd>(self, simd: S) -> Self::Output;
 }
 
 /// Runs the kernel at the level of this process.
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     match level() {
-        Level::Baseline => kernel.run(),
+        Level::Baseline => kernel.run(Plain),
         // SAFETY: `level` is at most what the processor was found to have.
         #[cfg(target_arch = "x86_64")]
         Level::Avx2 => unsafe { avx2::run(kernel) },
@@ -77,7 +79,8 @@ fn level() -> Level {
 
 #[cfg(target_arch = "x86_64")]
 fn detect() -> Level {
-    let present = if is_x86_feature_detected!("avx512f")
+    let present = if is_x86_feature_detected!("avx2")
+        && is_x86_feature_detected!("avx512f")
         && is_x86_feature_detected!("avx512dq")
         && is_x86_feature_detected!("avx512vl")
     {

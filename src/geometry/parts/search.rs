@@ -7,6 +7,7 @@ use super::spheres::Block;
 use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::geometry::summary::ROOT_OF_THREE;
 use crate::math::Vec3;
+use crate::simd::float8::Simd;
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch, prefetch};
 
@@ -155,10 +156,7 @@ impl Parts {
 
     fn search_others(&self, hierarchy: &Hierarchy, p: Vec3, sink: &mut impl Sink) {
         if let Some((tree, parts)) = &hierarchy.others {
-            let extent = extent(p);
-            let start = hierarchy.bound(sink.limit(), extent);
-            let mut leaf = Others { all: self, parts, hierarchy, p, extent, sink };
-            bvh::nearest::<true>(tree, p, start, &mut leaf);
+            dispatch(Others { all: self, tree, parts, hierarchy, p, extent: extent(p), sink });
         }
     }
 }
@@ -176,14 +174,14 @@ impl Kernel for SphereGroup<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run<S: Simd>(self, simd: S) {
         let SphereGroup { tree, blocks, hierarchy, points, least } = self;
         let searches = points.iter().zip(least.iter_mut()).map(|(&p, sink)| {
             let extent = extent(p);
             let start = hierarchy.bound(sink.limit(), extent);
-            (start, SphereSearch { tree, blocks, hierarchy, p, extent, sink })
+            (tree.scaled(start), SphereSearch { tree, blocks, hierarchy, p, extent, sink })
         });
-        bvh::nearest_for_group::<true, _>(tree, points, |leaf| prefetch(&blocks[leaf]), searches);
+        bvh::nearest_for_group::<S, true, _>(simd, tree, points, |leaf| prefetch(&blocks[leaf]), searches);
     }
 }
 
@@ -196,19 +194,20 @@ struct SphereSearch<'a, S> {
     sink: &'a mut S,
 }
 
-impl<S: Sink> Kernel for SphereSearch<'_, S> {
+impl<K: Sink> Kernel for SphereSearch<'_, K> {
     type Output = ();
 
     #[inline(always)]
-    fn run(mut self) {
-        let (tree, p, start) = (self.tree, self.p, self.hierarchy.bound(self.sink.limit(), self.extent));
-        bvh::nearest::<true>(tree, p, start, &mut self);
+    fn run<S: Simd>(mut self, simd: S) {
+        let (tree, p) = (self.tree, self.p);
+        let start = tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent));
+        bvh::nearest::<S, true>(simd, tree, p, start, &mut self);
     }
 }
 
-impl<S: Sink> LeafDistance for SphereSearch<'_, S> {
+impl<S: Simd, K: Sink> LeafDistance<S> for SphereSearch<'_, K> {
     #[inline(always)]
-    fn visit(&mut self, leaf: usize) -> f64 {
+    fn visit(&mut self, _: S, leaf: usize) -> f32 {
         let block = &self.blocks[leaf];
         let values = block.values(self.p);
         let mut near = values.at_most(self.sink.limit());
@@ -219,24 +218,37 @@ impl<S: Sink> LeafDistance for SphereSearch<'_, S> {
                 self.sink.offer(values.0[k], block.part[k] as usize);
             }
         }
-        self.hierarchy.bound(self.sink.limit(), self.extent)
+        self.tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent))
     }
 }
 
-struct Others<'a, S> {
+struct Others<'a, K> {
     all: &'a Parts,
+    tree: &'a Tree,
     parts: &'a [u32],
     hierarchy: &'a Hierarchy,
     p: Vec3,
     extent: f64,
-    sink: &'a mut S,
+    sink: &'a mut K,
 }
 
-impl<S: Sink> LeafDistance for Others<'_, S> {
-    fn visit(&mut self, leaf: usize) -> f64 {
+impl<K: Sink> Kernel for Others<'_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(mut self, simd: S) {
+        let (tree, p) = (self.tree, self.p);
+        let start = tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent));
+        bvh::nearest::<S, true>(simd, tree, p, start, &mut self);
+    }
+}
+
+impl<S: Simd, K: Sink> LeafDistance<S> for Others<'_, K> {
+    #[inline(always)]
+    fn visit(&mut self, _: S, leaf: usize) -> f32 {
         let part = self.parts[leaf] as usize;
         self.sink.offer(self.all.signed(part, self.p), part);
-        self.hierarchy.bound(self.sink.limit(), self.extent)
+        self.tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent))
     }
 }
 

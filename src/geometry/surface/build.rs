@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
-use super::{Block, Corners, Sign, Surface};
+use super::{ALONE, Corners, Leaf, NO_TRIANGLE, Sign, Surface};
 use crate::bvh::{LEAF_SIZE, Tree};
-use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
 use crate::math::Aabb;
-use crate::mesh::Mesh;
+use crate::mesh::{HalfEdges, Mesh};
 use crate::parallel::Run;
-use crate::primitive::triangle::Prepared;
+use crate::primitive::estimate::Estimates;
+use crate::primitive::triangle;
 use crate::simd::lanes::WIDTH;
 
 impl Surface {
@@ -17,13 +18,15 @@ impl Surface {
         let sign = choose_sign(mesh, options)?;
         let distinct = mesh.without_copies()?;
         let mesh = distinct.as_ref().unwrap_or(mesh);
-        let mut surface = assemble(mesh, sign)?;
+        let of_triangles = HalfEdges::of_pieces(mesh)?;
+        let topology = of_triangles.as_ref().unwrap_or(mesh.half_edges());
+        let mut surface = assemble(mesh, topology, sign)?;
         if surface.sign == Sign::Pseudonormal {
             surface.distrust_unclear_normals(mesh);
-            surface.check_embedding(mesh, options.sign, run)?;
+            surface.check_embedding(mesh, topology, options.sign, run)?;
         }
         if options.accelerator == Accelerator::None {
-            surface.tree = None;
+            (surface.tree, surface.leaves) = (None, Vec::new());
         }
         Ok(surface)
     }
@@ -72,8 +75,8 @@ fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
     }
 }
 
-/// Lays everything out; the sign is not checked yet.
-fn assemble(mesh: &Mesh, sign: Sign) -> Result<Surface> {
+/// Lays everything out; the sign is not checked yet. `topology` is that of the triangles.
+fn assemble(mesh: &Mesh, topology: &HalfEdges, sign: Sign) -> Result<Surface> {
     let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
     if triangles.is_empty() {
         return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
@@ -81,40 +84,41 @@ fn assemble(mesh: &Mesh, sign: Sign) -> Result<Surface> {
     let corners = |t: usize| triangles[t].corners(vertices);
     let mut boxes = try_with_capacity("boxes", triangles.len())?;
     boxes.extend((0..triangles.len()).map(|t| Aabb::of(corners(t))));
-    let (tree, leaves) = Tree::build(&boxes, LEAF_SIZE)?;
-    let mut blocks = try_with_capacity("blocks", leaves.start.len())?;
-    let mut places = try_with_capacity("places", triangles.len())?;
-    places.resize(triangles.len(), 0u32);
-    for leaf in leaves.start.windows(2) {
-        let members: Vec<_> = leaves.order[leaf[0] as usize..leaf[1] as usize]
-            .iter()
-            .map(|&t| (t, Prepared::new(corners(t as usize))))
-            .collect();
-        for (lane, (t, _)) in members.iter().enumerate() {
-            places[*t as usize] = (blocks.len() * WIDTH + lane) as u32;
+    let (tree, order) = Tree::build(&boxes, LEAF_SIZE)?;
+    drop(boxes);
+    let mut leaves = try_with_capacity("leaves", order.start.len())?;
+    for range in order.start.windows(2) {
+        let mut leaf = Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] };
+        for (lane, &t) in order.order[range[0] as usize..range[1] as usize].iter().enumerate() {
+            leaf.estimates.set(lane, corners(t as usize).map(|c| tree.place(c)));
+            leaf.triangle[lane] = t;
         }
-        blocks.push(Block::new(&members));
+        leaves.push(leaf);
     }
-    let bounds = Aabb::of((0..triangles.len()).flat_map(corners));
-    let normals = mesh.pseudonormals()?;
+    drop(order);
+    let mut normals = try_with_capacity("normals", triangles.len())?;
+    normals.extend((0..triangles.len()).map(|t| triangle::normal(corners(t))));
+    let mut neighbours = try_with_capacity("neighbours", triangles.len())?;
+    let neighbour = |h: u32| topology.twin(h).map_or(ALONE, |twin| topology.face(twin));
+    neighbours.extend((0..triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2].map(neighbour)));
     let mut laid_out = try_with_capacity("triangles", triangles.len())?;
     let mut first = 0;
-    laid_out.extend(triangles.iter().zip(places).enumerate().map(|(k, (t, place))| {
+    laid_out.extend(triangles.iter().enumerate().map(|(k, t)| {
         if triangles[first].face != t.face {
             first = k;
         }
         let piece = 2 * (k - first) as u32 + u32::from(t.turned);
-        Corners { vertex: t.vertices, face: t.face, tag: mesh.tag(t.face), place, piece }
+        Corners { vertex: t.vertices, face: t.face, tag: mesh.tag(t.face), piece }
     }));
-    let mut positions = try_with_capacity("vertices", vertices.len())?;
-    positions.extend_from_slice(vertices);
+    let bounds = Aabb::of((0..triangles.len()).flat_map(corners));
     Ok(Surface {
-        blocks,
+        leaves,
         tree: Some(tree),
-        vertices: positions,
+        vertices: try_copy("vertices", vertices)?,
         triangles: laid_out,
-        edge_normals: normals.edge,
-        vertex_normals: normals.vertex,
+        normals,
+        neighbours,
+        vertex_normals: mesh.pseudonormals()?.vertex,
         bounds,
         diagonal: bounds.diagonal(),
         sign,

@@ -6,7 +6,7 @@
 //! misses an edge that pokes through a face between two vertices, and needs fewer crossing counts: one a
 //! piece.
 
-use super::{NO_TRIANGLE, Sign, Surface};
+use super::{NO_TRIANGLE, Sign, Surface, UNCLEAR};
 use crate::bvh::Leaves;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::SignMethod;
@@ -40,18 +40,24 @@ impl Surface {
         if edges.is_empty() {
             return;
         }
-        for (t, normals) in self.triangles.iter().zip(&mut self.edge_normals) {
-            for (k, normal) in normals.iter_mut().enumerate() {
+        for (t, neighbours) in self.triangles.iter().zip(&mut self.neighbours) {
+            for (k, neighbour) in neighbours.iter_mut().enumerate() {
                 if edges.contains(&undirected(t.vertex[k], t.vertex[(k + 1) % 3])) {
-                    *normal = Vec3::ZERO;
+                    *neighbour = UNCLEAR;
                 }
             }
         }
     }
 
-    /// Hands the sign to the crossings where the surface is not embedded.
-    pub(super) fn check_embedding(&mut self, mesh: &Mesh, asked: SignMethod, run: &Run) -> Result<()> {
-        let fault = match self.contact(mesh, run)? {
+    /// Hands the sign to the crossings where the surface is not embedded. `topology` is that of the triangles.
+    pub(super) fn check_embedding(
+        &mut self,
+        mesh: &Mesh,
+        topology: &HalfEdges,
+        asked: SignMethod,
+        run: &Run,
+    ) -> Result<()> {
+        let fault = match self.contact(mesh, topology, run)? {
             Some([t, s]) => {
                 format!(
                     "faces {} and {} meet, but for rounding, where they share no edge or vertex",
@@ -73,16 +79,14 @@ impl Surface {
     }
 
     /// A pair of triangles that meet where they should not: of all such pairs the same one in every run.
-    fn contact(&self, mesh: &Mesh, run: &Run) -> Result<Option<[u32; 2]>> {
+    fn contact(&self, mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<Option<[u32; 2]>> {
         let Some(tree) = &self.tree else { return Ok(None) };
-        let of_triangles = HalfEdges::of_pieces(mesh)?;
-        let topology = of_triangles.as_ref().unwrap_or(mesh.half_edges());
         let contacts = Contacts::new(&self.vertices, mesh.triangles(), topology, self.rounding(), false)?;
         let mut order = try_with_capacity("triangles", self.triangles.len())?;
-        let mut start = try_with_capacity("leaves", self.blocks.len() + 1)?;
+        let mut start = try_with_capacity("leaves", self.leaves.len() + 1)?;
         start.push(0);
-        for block in &self.blocks {
-            order.extend(block.triangle.iter().filter(|t| **t != NO_TRIANGLE));
+        for leaf in &self.leaves {
+            order.extend(leaf.triangle.iter().filter(|t| **t != NO_TRIANGLE));
             start.push(order.len() as u32);
         }
         Ok(contacts.find(tree, &Leaves { order, start }, 1, run)?.pairs.first().copied())

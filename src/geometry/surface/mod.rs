@@ -13,19 +13,26 @@ pub(crate) use nearest::Nearest;
 use crate::bvh::Tree;
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
+use crate::primitive::estimate::Estimates;
 use crate::primitive::overlap::are_apart;
-use crate::primitive::triangle::{Prepared, RELATIVE_ERROR, V3};
-use crate::simd::lanes::{F64x8, WIDTH};
+use crate::primitive::triangle::RELATIVE_ERROR;
+use crate::simd::lanes::WIDTH;
 
 /// Marks the unused lanes of a block.
 const NO_TRIANGLE: u32 = u32::MAX;
 
+/// In the place of a neighbour: the edge has none, and the triangle's own normal.
+const ALONE: u32 = u32::MAX;
+
+/// In the place of a neighbour: the edge's pseudonormal decides nothing.
+const UNCLEAR: u32 = u32::MAX - 1;
+
 /// The triangles of one leaf.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-struct Block {
-    lanes: Prepared<F64x8>,
-    /// Triangle of each lane; an unused lane repeats the first one's shape.
+struct Leaf {
+    estimates: Estimates,
+    /// Triangle of each lane.
     triangle: [u32; WIDTH],
 }
 
@@ -36,8 +43,6 @@ struct Corners {
     vertex: [u32; 3],
     face: u32,
     tag: i32,
-    /// Block and lane, as block * 8 + lane.
-    place: u32,
     /// Which of the triangles that the face was cut into it is, twice; plus 1 where orientation turned the
     /// face over, so that corners 1 and 2 stand exchanged.
     piece: u32,
@@ -51,13 +56,15 @@ impl Corners {
 
 /// Signed or unsigned distance to a triangle surface. Immutable.
 pub(crate) struct Surface {
-    blocks: Vec<Block>,
+    leaves: Vec<Leaf>,
     /// None: every triangle is looked at.
     tree: Option<Tree>,
     vertices: Vec<Vec3>,
     triangles: Vec<Corners>,
-    /// Pseudonormals of the edges 0-1, 1-2, 2-0 of each triangle; zero where they decide nothing.
-    edge_normals: Vec<[Vec3; 3]>,
+    /// Unit normals of the triangles; zero where the area is.
+    normals: Vec<Vec3>,
+    /// The triangles across the edges 0-1, 1-2, 2-0 of each, [`ALONE`] or [`UNCLEAR`].
+    neighbours: Vec<[u32; 3]>,
     /// Pseudonormal of each vertex; zero where it decides nothing.
     vertex_normals: Vec<Vec3>,
     bounds: Aabb,
@@ -124,11 +131,12 @@ impl Surface {
     }
 
     pub(crate) fn bytes(&self) -> usize {
-        self.blocks.len() * size_of::<Block>()
+        size_of_val(&self.leaves[..])
             + self.tree.as_ref().map_or(0, Tree::bytes)
             + size_of_val(&self.vertices[..])
             + size_of_val(&self.triangles[..])
-            + size_of_val(&self.edge_normals[..])
+            + size_of_val(&self.normals[..])
+            + size_of_val(&self.neighbours[..])
             + size_of_val(&self.vertex_normals[..])
     }
 
@@ -151,22 +159,15 @@ impl Surface {
         self.triangles[triangle as usize].vertex.map(|v| self.vertices[v as usize])
     }
 
-    fn prepared(&self, triangle: u32) -> Prepared<f64> {
-        let place = self.triangles[triangle as usize].place as usize;
-        self.blocks[place / WIDTH].lane(place % WIDTH)
-    }
-
     fn normal(&self, triangle: u32) -> Vec3 {
-        let place = self.triangles[triangle as usize].place as usize;
-        let normal = &self.blocks[place / WIDTH].lanes.normal;
-        Vec3::from_array(std::array::from_fn(|axis| normal.0[axis].0[place % WIDTH]))
+        self.normals[triangle as usize]
     }
 
     /// Calls `visit` for every triangle whose box may meet `region`.
     fn overlapping(&self, region: Aabb, mut visit: impl FnMut(u32)) {
         match &self.tree {
             Some(tree) => tree.overlapping(region, |leaf| {
-                self.blocks[leaf].triangle.iter().filter(|&&t| t != NO_TRIANGLE).for_each(|&t| visit(t));
+                self.leaves[leaf].triangle.iter().filter(|&&t| t != NO_TRIANGLE).for_each(|&t| visit(t));
             }),
             None => (0..self.triangles.len() as u32).for_each(visit),
         }
@@ -182,38 +183,8 @@ impl Surface {
         let meets = |t: u32| !are_apart(self.corners(t), near);
         match &self.tree {
             Some(tree) => !tree
-                .any_overlapping(near, |leaf| self.blocks[leaf].triangle.iter().any(|&t| t != NO_TRIANGLE && meets(t))),
+                .any_overlapping(near, |leaf| self.leaves[leaf].triangle.iter().any(|&t| t != NO_TRIANGLE && meets(t))),
             None => !(0..self.triangles.len() as u32).any(meets),
-        }
-    }
-}
-
-impl Block {
-    /// Up to eight triangles; the lanes left over repeat the first.
-    fn new(triangles: &[(u32, Prepared<f64>)]) -> Block {
-        let lane = |k: usize| &triangles[if k < triangles.len() { k } else { 0 }].1;
-        let gather = |get: &dyn Fn(&Prepared<f64>) -> f64| F64x8(std::array::from_fn(|k| get(lane(k))));
-        let vector =
-            |get: &dyn Fn(&Prepared<f64>) -> V3<f64>| V3(std::array::from_fn(|axis| gather(&|t| get(t).0[axis])));
-        Block {
-            lanes: Prepared {
-                corner: std::array::from_fn(|i| vector(&|t| t.corner[i])),
-                normal: vector(&|t| t.normal),
-                inward: std::array::from_fn(|i| vector(&|t| t.inward[i])),
-                inverse: std::array::from_fn(|i| gather(&|t| t.inverse[i])),
-            },
-            triangle: std::array::from_fn(|k| triangles.get(k).map_or(NO_TRIANGLE, |t| t.0)),
-        }
-    }
-
-    /// One triangle, with the same bits.
-    fn lane(&self, k: usize) -> Prepared<f64> {
-        let vector = |v: &V3<F64x8>| V3(std::array::from_fn(|axis| v.0[axis].0[k]));
-        Prepared {
-            corner: std::array::from_fn(|i| vector(&self.lanes.corner[i])),
-            normal: vector(&self.lanes.normal),
-            inward: std::array::from_fn(|i| vector(&self.lanes.inward[i])),
-            inverse: std::array::from_fn(|i| self.lanes.inverse[i].0[k]),
         }
     }
 }

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Nearest triangle: least squared distance as the kernel computes it, then least index.
+//!
+//! The hierarchy's leaves are looked at in f32, eight triangles at once (`primitive/estimate.rs`). What is not farther
+//! than the nearest by more than twice the bound of an estimate is kept, and the kernel decides at the end among the
+//! few that are left, so the answer is that of the kernel over all triangles to the bit.
 
-use super::{Block, NO_TRIANGLE, Surface};
+use super::{NO_TRIANGLE, Surface};
 use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::math::{Vec3, length};
-use crate::primitive::triangle::{self, Foot, RELATIVE_ERROR, V3};
+use crate::primitive::estimate;
+use crate::primitive::triangle::{self, Foot, Prepared, V3};
+use crate::simd::float8::{Float8, Simd};
 use crate::simd::lanes::{F64x8, Lanes, WIDTH};
 use crate::simd::{Kernel, dispatch, prefetch};
+
+/// Candidates that wait for the kernel.
+const WAITING: usize = 64;
 
 /// The nearest triangle and where on it.
 #[derive(Clone, Copy, Debug)]
@@ -16,33 +25,34 @@ pub(crate) struct Nearest {
     pub(crate) triangle: u32,
     /// 0 face, 1-3 edge, 4-6 vertex, in the corners as they stand.
     pub(crate) feature: usize,
+    /// Where along the edge, 0 to 1 (features 1 to 3).
+    along: f64,
     pub(crate) point: Vec3,
-    /// Of the corners as they stand.
-    pub(crate) barycentric: Vec3,
 }
 
 /// What a search has found so far.
 #[derive(Clone, Copy)]
 struct Best {
-    squared: f64,
+    foot: Foot<f64>,
     triangle: u32,
 }
 
 impl Best {
-    const NONE: Best = Best { squared: f64::INFINITY, triangle: NO_TRIANGLE };
+    const NONE: Best = Best { foot: Foot { squared: f64::INFINITY, feature: 0.0, along: 0.0 }, triangle: NO_TRIANGLE };
 
     #[inline(always)]
-    fn offer(&mut self, squared: f64, triangle: u32) {
-        if squared < self.squared || (squared == self.squared && triangle < self.triangle) {
-            *self = Best { squared, triangle };
+    fn offer(&mut self, foot: Foot<f64>, triangle: u32) {
+        let squared = self.foot.squared;
+        if foot.squared < squared || (foot.squared == squared && triangle < self.triangle) {
+            *self = Best { foot, triangle };
         }
     }
 }
 
-/// The search: by the hierarchy, or, without one, over everything.
+/// The search by the hierarchy.
 struct Search<'a> {
-    blocks: &'a [Block],
-    tree: Option<&'a Tree>,
+    surface: &'a Surface,
+    tree: &'a Tree,
     p: Vec3,
 }
 
@@ -50,24 +60,18 @@ impl Kernel for Search<'_> {
     type Output = Best;
 
     #[inline(always)]
-    fn run(self) -> Best {
+    fn run<S: Simd>(self, simd: S) -> Best {
+        let Search { surface, tree, p } = self;
         let mut best = Best::NONE;
-        let mut leaf = Leaf::new(self.blocks, self.tree, self.p, &mut best);
-        match self.tree {
-            Some(tree) => bvh::nearest::<false>(tree, self.p, f64::INFINITY, &mut leaf),
-            None => {
-                for k in 0..self.blocks.len() {
-                    leaf.visit(k);
-                }
-            }
-        }
+        let mut candidates = Candidates::new(surface, tree, p, &mut best);
+        bvh::nearest::<S, false>(simd, tree, p, f32::INFINITY, &mut candidates);
         best
     }
 }
 
 /// The search by the hierarchy, for a few points side by side.
 struct SearchGroup<'a> {
-    blocks: &'a [Block],
+    surface: &'a Surface,
     tree: &'a Tree,
     points: &'a [Vec3],
 }
@@ -76,53 +80,146 @@ impl Kernel for SearchGroup<'_> {
     type Output = [Best; GROUP];
 
     #[inline(always)]
-    fn run(self) -> [Best; GROUP] {
-        let SearchGroup { blocks, tree, points } = self;
+    fn run<S: Simd>(self, simd: S) -> [Best; GROUP] {
+        let SearchGroup { surface, tree, points } = self;
         let mut best = [Best::NONE; GROUP];
-        let fetch = |leaf: usize| prefetch(&blocks[leaf]);
+        let fetch = |leaf: usize| prefetch(&surface.leaves[leaf]);
         let searches = points.iter().zip(&mut best);
-        let searches = searches.map(|(&p, best)| (f64::INFINITY, Leaf::new(blocks, Some(tree), p, best)));
-        bvh::nearest_for_group::<false, _>(tree, points, fetch, searches);
+        let searches = searches.map(|(&p, best)| (f32::INFINITY, Candidates::new(surface, tree, p, best)));
+        bvh::nearest_for_group::<S, false, _>(simd, tree, points, fetch, searches);
         best
     }
 }
 
-struct Leaf<'a> {
-    blocks: &'a [Block],
-    p: V3<F64x8>,
-    /// Of the tree.
-    diagonal: f64,
+/// Triangles that may be the nearest, as the search goes from leaf to leaf.
+struct Candidates<'a> {
+    surface: &'a Surface,
+    p: Vec3,
+    /// The point as the tree and its leaves have it.
+    at: [f32; 3],
+    /// Twice the bound of an estimate.
+    room: f32,
+    /// The least estimate.
+    nearest: f32,
+    estimates: [f32; WAITING],
+    triangles: [u32; WAITING],
+    count: usize,
+    /// Of those that do not wait any more.
     best: &'a mut Best,
 }
 
-impl<'a> Leaf<'a> {
+impl<'a> Candidates<'a> {
     #[inline(always)]
-    fn new(blocks: &'a [Block], tree: Option<&Tree>, p: Vec3, best: &'a mut Best) -> Leaf<'a> {
-        let p = V3([Lanes::splat(p.x), Lanes::splat(p.y), Lanes::splat(p.z)]);
-        Leaf { blocks, p, diagonal: tree.map_or(0.0, Tree::diagonal), best }
+    fn new(surface: &'a Surface, tree: &Tree, p: Vec3, best: &'a mut Best) -> Candidates<'a> {
+        let at = tree.place(p);
+        let room = (2.0 * estimate::ERROR * (1.0 + at.abs().max_element())) as f32;
+        Candidates {
+            surface,
+            p,
+            at: [at.x as f32, at.y as f32, at.z as f32],
+            room,
+            nearest: f32::INFINITY,
+            estimates: [0.0; WAITING],
+            triangles: [0; WAITING],
+            count: 0,
+            best,
+        }
+    }
+
+    /// Leaves those that are still near enough.
+    #[inline(always)]
+    fn sift(&mut self) {
+        let limit = self.nearest + self.room;
+        let mut left = 0;
+        for k in 0..self.count {
+            (self.estimates[left], self.triangles[left]) = (self.estimates[k], self.triangles[k]);
+            // What is no number is never too far.
+            let is_far = self.estimates[k] > limit;
+            left += usize::from(!is_far);
+        }
+        self.count = left;
+    }
+
+    /// Asks the kernel about all that wait.
+    #[inline(always)]
+    fn settle(&mut self) {
+        for from in (0..self.count).step_by(WIDTH) {
+            let all = &self.triangles[from..self.count.min(from + WIDTH)];
+            if let &[triangle] = all {
+                self.best.offer(self.surface.foot(triangle, self.p), triangle);
+                continue;
+            }
+            let feet = self.surface.feet(all, self.p);
+            for (k, &triangle) in all.iter().enumerate() {
+                let (squared, feature, along) = (feet.squared.0[k], feet.feature.0[k], feet.along.0[k]);
+                self.best.offer(Foot { squared, feature, along }, triangle);
+            }
+        }
+        self.count = 0;
     }
 }
 
-impl LeafDistance for Leaf<'_> {
+impl<S: Simd> LeafDistance<S> for Candidates<'_> {
     #[inline(always)]
-    fn visit(&mut self, leaf: usize) -> f64 {
-        let block = &self.blocks[leaf];
-        let foot = triangle::nearest(&block.lanes, self.p);
-        let mut near = foot.squared.at_most(self.best.squared);
+    fn visit(&mut self, simd: S, leaf: usize) -> f32 {
+        let leaf = &self.surface.leaves[leaf];
+        let at = [0, 1, 2].map(|axis| S::Float::splat(simd, self.at[axis]));
+        let estimates = leaf.estimates.distances(simd, at);
+        let least = estimates.least();
+        self.nearest = if least < self.nearest { least } else { self.nearest };
+        let limit = self.nearest + self.room;
+        let mut near = estimates.not_above(limit);
+        let estimates = estimates.lanes();
+        if near != 0 && self.count > WAITING - WIDTH {
+            self.make_room();
+        }
         while near != 0 {
             let k = near.trailing_zeros() as usize & (WIDTH - 1);
             near &= near - 1;
-            self.best.offer(foot.squared.0[k], block.triangle[k]);
+            if leaf.triangle[k] != NO_TRIANGLE {
+                let slot = self.count & (WAITING - 1);
+                (self.estimates[slot], self.triangles[slot]) = (estimates[k], leaf.triangle[k]);
+                self.count += 1;
+            }
         }
-        let d = self.best.squared.sqrt();
-        d + 2.0 * RELATIVE_ERROR * (d + self.diagonal)
+        limit
+    }
+
+    #[inline(always)]
+    fn finish(&mut self) {
+        self.sift();
+        self.settle();
+    }
+}
+
+impl Candidates<'_> {
+    /// Where many are as near as each other, the kernel is asked about them on the way.
+    #[inline(always)]
+    fn make_room(&mut self) {
+        self.sift();
+        if self.count > WAITING / 2 {
+            self.settle();
+        }
     }
 }
 
 impl Surface {
     /// The nearest triangle to a finite point.
     pub(crate) fn nearest(&self, p: Vec3) -> Nearest {
-        self.at(p, dispatch(Search { blocks: &self.blocks, tree: self.tree.as_ref(), p }))
+        self.at(
+            p,
+            match &self.tree {
+                Some(tree) => dispatch(Search { surface: self, tree, p }),
+                None => self.nearest_of_all(p),
+            },
+        )
+    }
+
+    /// Brute force, one triangle at a time.
+    fn nearest_of_all(&self, p: Vec3) -> Best {
+        let mut best = Best::NONE;
+        (0..self.triangles.len() as u32).for_each(|t| best.offer(self.foot(t, p), t));
+        best
     }
 
     /// The signed distances of many finite points.
@@ -136,30 +233,62 @@ impl Surface {
             return points.iter().enumerate().for_each(|(k, p)| take(k, &self.nearest(*p)));
         };
         for (g, points) in points.chunks(GROUP).enumerate() {
-            let best = dispatch(SearchGroup { blocks: &self.blocks, tree, points });
+            let best = dispatch(SearchGroup { surface: self, tree, points });
             for (k, (p, best)) in points.iter().zip(best).enumerate() {
                 take(g * GROUP + k, &self.at(*p, best));
             }
         }
     }
 
+    fn prepared(&self, triangle: u32) -> Prepared<f64> {
+        Prepared::of(self.corners(triangle).map(V3::from_vec), V3::from_vec(self.normal(triangle)))
+    }
+
+    /// The kernel's answer for one triangle.
+    #[inline(always)]
+    fn foot(&self, triangle: u32, p: Vec3) -> Foot<f64> {
+        let corners = self.corners(triangle).map(|c| V3([c.x, c.y, c.z]));
+        let normal = self.normals[triangle as usize];
+        triangle::nearest(&Prepared::of(corners, V3([normal.x, normal.y, normal.z])), V3([p.x, p.y, p.z]))
+    }
+
+    /// The same for up to eight; the lanes left over repeat the first.
+    #[inline(always)]
+    fn feet(&self, triangles: &[u32], p: Vec3) -> Foot<F64x8> {
+        let none = V3([F64x8::splat(0.0); 3]);
+        let (mut corner, mut normal) = ([none; 3], none);
+        for k in 0..WIDTH {
+            let t = triangles[if k < triangles.len() { k } else { 0 }] as usize;
+            for (i, &v) in self.triangles[t].vertex.iter().enumerate() {
+                let at = self.vertices[v as usize];
+                (corner[i].0[0].0[k], corner[i].0[1].0[k], corner[i].0[2].0[k]) = (at.x, at.y, at.z);
+            }
+            let n = self.normals[t];
+            (normal.0[0].0[k], normal.0[1].0[k], normal.0[2].0[k]) = (n.x, n.y, n.z);
+        }
+        let p = V3([Lanes::splat(p.x), Lanes::splat(p.y), Lanes::splat(p.z)]);
+        triangle::nearest(&Prepared::of(corner, normal), p)
+    }
+
     /// What there is to know of the triangle found.
     fn at(&self, p: Vec3, best: Best) -> Nearest {
         // Beyond 1e154 every squared distance is infinite and the first triangle stands for all.
-        let triangle = if best.triangle == NO_TRIANGLE { 0 } else { best.triangle };
-        let prepared = self.prepared(triangle);
-        let foot: Foot<f64> = triangle::nearest(&prepared, V3::from_vec(p));
-        let (point, barycentric) = prepared.point(p, &foot);
-        let distance = if best.squared.is_finite() { best.squared.sqrt() } else { length(p - self.vertices[0]) };
-        Nearest { distance, triangle, feature: foot.feature as usize, point, barycentric }
+        let (triangle, foot) = match best.triangle {
+            NO_TRIANGLE => (0, self.foot(0, p)),
+            triangle => (triangle, best.foot),
+        };
+        let point = triangle::point(self.corners(triangle), self.normal(triangle), p, &foot);
+        let squared = best.foot.squared;
+        let distance = if squared.is_finite() { squared.sqrt() } else { length(p - self.vertices[0]) };
+        Nearest { distance, triangle, feature: foot.feature as usize, along: foot.along, point }
     }
 
     /// Feature and barycentric coordinates in the order of the input face's corners.
     pub(crate) fn as_input(&self, nearest: &Nearest) -> (usize, Vec3) {
+        let b = self.prepared(nearest.triangle).barycentric(nearest.feature, nearest.along, nearest.point);
         if !self.triangles[nearest.triangle as usize].is_turned() {
-            return (nearest.feature, nearest.barycentric);
+            return (nearest.feature, b);
         }
-        let b = nearest.barycentric;
         ([0, 3, 2, 1, 4, 6, 5][nearest.feature], Vec3::new(b.x, b.z, b.y))
     }
 }

@@ -3,7 +3,7 @@
 //! crossings of a vertical line elsewhere. Both are right off the surface of a closed mesh that passes the
 //! check of `check.rs`, so it does not matter which one answered; on others crossings answer alone.
 
-use super::{Nearest, Sign, Surface};
+use super::{ALONE, Nearest, Sign, Surface, UNCLEAR};
 use crate::math::{Aabb, Vec3, length, unit};
 use crate::primitive::crossing::AxisLine;
 
@@ -63,8 +63,12 @@ impl Surface {
     fn pseudonormal(&self, nearest: &Nearest) -> Vec3 {
         let t = nearest.triangle as usize;
         match nearest.feature {
-            0 => self.normal(nearest.triangle),
-            k @ 1..=3 => self.edge_normals[t][k - 1],
+            0 => self.normals[t],
+            k @ 1..=3 => match self.neighbours[t][k - 1] {
+                UNCLEAR => Vec3::ZERO,
+                ALONE => self.normals[t],
+                other => self.normals[t] + self.normals[other as usize],
+            },
             k => self.vertex_normals[self.triangles[t].vertex[k - 4] as usize],
         }
     }
