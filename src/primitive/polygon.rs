@@ -45,6 +45,14 @@ pub fn projection(area_vector: Vec3) -> [usize; 2] {
     if area_vector[drop] < 0.0 { [v, u] } else { [u, v] }
 }
 
+/// The foot of `p` on the plane through `origin` with this unit normal; `p` itself where it is off the plane by no
+/// more than rounding its coordinates explains, so that what lies in the plane keeps its bits.
+pub fn foot_on_plane(p: Vec3, origin: Vec3, normal: Vec3) -> Vec3 {
+    let height = (p - origin).dot(normal);
+    let rounding = 8.0 * f64::EPSILON * normal.abs().dot(p.abs().max(origin.abs()));
+    if height.abs() <= rounding { p } else { p - normal * height }
+}
+
 /// Cuts a counter-clockwise polygon, which may touch but not cross itself, into `points.len() - 2` triangles
 /// of positive area; triangles of zero area only where nothing else is left. `ring` is scratch of
 /// `points.len()`; `out` takes the triangles, as indices into `points`. False where the polygon crosses itself so that no ear
