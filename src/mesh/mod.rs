@@ -9,6 +9,7 @@ mod copies;
 mod data;
 mod diagnosis;
 mod duplicates;
+mod ears;
 mod edges;
 mod element;
 mod faces;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Faces cut into triangles.
 
-use super::Triangle;
 use super::faces::Faces;
 use super::least_area::least_area;
+use super::{Triangle, ears};
 use crate::error::{Result, try_with_capacity};
 use crate::math::{Aabb, Vec3, length, unit};
 use crate::primitive::polygon;
@@ -16,6 +16,9 @@ const F32_ROUNDING: f64 = 2.4e-7;
 /// Faces of more corners that no plane shows without crossings are cut into a plain fan: the least area takes
 /// the cube of their number.
 const MOST_CORNERS: usize = 1000;
+
+/// From about here on a tree of the corners finds ears faster than a look at each.
+const MANY_CORNERS: usize = 100;
 
 /// The triangles of all faces in order; also how many faces are warped. `Triangle::face` counts in `faces`, not in
 /// the input.
@@ -60,7 +63,6 @@ impl Scratch {
         let n = corners.len();
         let at = |k: usize| vertices[corners[k] as usize];
         let points = (0..n).map(at);
-        self.ring.resize(n, 0);
         self.fan(n);
         if polygon::are_on_a_line(points.clone()) {
             return Ok(true);
@@ -70,9 +72,7 @@ impl Scratch {
             let [u, v] = polygon::projection(normal);
             self.points.clear();
             self.points.extend(points.clone().map(|p| [p[u], p[v]]));
-            if polygon::is_cut_by_fan(&self.points)
-                || polygon::clip_ears(&self.points, &mut self.ring, &mut self.triangles)
-            {
+            if polygon::is_cut_by_fan(&self.points) || self.clip_ears()? {
                 return Ok(is_plane(points, unit(normal)));
             }
         }
@@ -84,6 +84,16 @@ impl Scratch {
             }
         }
         Ok(false)
+    }
+
+    /// The ears of `points`, the same both ways.
+    fn clip_ears(&mut self) -> Result<bool> {
+        if self.points.len() < MANY_CORNERS {
+            self.ring.resize(self.points.len(), 0);
+            Ok(polygon::clip_ears(&self.points, &mut self.ring, &mut self.triangles))
+        } else {
+            ears::clip_ears(&self.points, &mut self.triangles)
+        }
     }
 
     /// The fan from the first corner.
