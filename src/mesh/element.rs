@@ -68,8 +68,8 @@ impl Mesh {
     }
 
     /// Whether a point lies in a face of [`Mesh::half_edges`]: off its plane, whether its foot along the normal of the
-    /// area vector does. Corners off the plane through the first count by their feet, too. Exact for what is in the plane
-    /// to rounding. Panics on a number out of range.
+    /// area vector does. Corners off the plane through the first count by their feet, too. Exact for what is in the
+    /// plane to rounding. Panics on a number out of range.
     pub fn face_contains(&self, f: u32, p: Vec3, how: Inside) -> bool {
         let corners = self.half_edges().corners(f).iter().map(|&v| self.vertices()[v as usize]);
         let first = self.vertices()[self.half_edges().corners(f)[0] as usize];

@@ -33,7 +33,7 @@ fn whatever_the_polygon_and_wherever_on_it_the_point_is_moved_right_and_above() 
     let mut random = Random(77);
     let (mut on, mut covered_twice) = (0, 0);
     for round in 0..1500 {
-        let n = 3 + random.below(8) as usize;
+        let n = 3 + random.below(8);
         let size = 3 + random.below(6);
         let mut polygon: Vec<[i64; 2]> =
             (0..n).map(|_| [random.below(size) as i64, random.below(size) as i64]).collect();

@@ -17,7 +17,7 @@ impl Marks {
         loop {
             let words = bits.div_ceil(64);
             let mut level = filled("marks", words, if all { u64::MAX } else { 0 })?;
-            if all && bits % 64 != 0 {
+            if all && !bits.is_multiple_of(64) {
                 level[words - 1] = (1 << (bits % 64)) - 1;
             }
             levels.push(level);
