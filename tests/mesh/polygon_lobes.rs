@@ -118,3 +118,21 @@ fn faces_on_a_line_have_no_vertex_twice_in_a_triangle_where_one_comes_once() {
         }
     }
 }
+
+/// Petals that turn either way round one vertex; corners at one point do not slow down the search for ears.
+#[test]
+fn a_flower_of_many_petals_is_covered_and_nothing_else_is() {
+    let petals = 50_000u32;
+    let at = |k: u32| {
+        let a = std::f64::consts::TAU * f64::from(k) / f64::from(2 * petals);
+        Vec3::new(libm::cos(a), libm::sin(a), 0.0)
+    };
+    let xyz: Vec<Vec3> = std::iter::once(Vec3::ZERO).chain((0..2 * petals).map(at)).collect();
+    let petal = |k: u32| if k % 2 == 0 { [0, 2 * k + 1, 2 * k + 2] } else { [0, 2 * k + 2, 2 * k + 1] };
+    let face: Vec<u32> = (0..petals).flat_map(petal).collect();
+    let mesh = mesh(&xyz, &face);
+    let (twice, area) = cut(&mesh, &face);
+    assert_eq!(twice, 2 * (petals as usize - 1));
+    let wanted = 0.5 * f64::from(petals) * libm::sin(std::f64::consts::TAU / f64::from(2 * petals));
+    assert!((area / wanted - 1.0).abs() < 1e-9, "{area} instead of {wanted}");
+}

@@ -122,7 +122,10 @@ impl<'a> Tree<'a> {
             open -= 1;
             let node = stack[open] as usize;
             let bounds = &self.bounds[node];
-            if bounds.is_apart(&around) || [(a, b), (b, c), (c, a)].iter().any(|(p, q)| bounds.is_right_of(*p, *q)) {
+            // Many corners may be at one point, where a face comes to it again and again.
+            let is_corner = bounds.lo == bounds.hi && triangle.contains(&bounds.lo);
+            let is_beside = || [(a, b), (b, c), (c, a)].iter().any(|(p, q)| bounds.is_right_of(*p, *q));
+            if bounds.is_apart(&around) || is_corner || is_beside() {
                 continue;
             }
             match self.as_leaf(node) {
