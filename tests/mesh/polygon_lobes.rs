@@ -128,7 +128,7 @@ fn a_flower_of_many_petals_is_covered_and_nothing_else_is() {
         Vec3::new(libm::cos(a), libm::sin(a), 0.0)
     };
     let xyz: Vec<Vec3> = std::iter::once(Vec3::ZERO).chain((0..2 * petals).map(at)).collect();
-    let petal = |k: u32| if k % 2 == 0 { [0, 2 * k + 1, 2 * k + 2] } else { [0, 2 * k + 2, 2 * k + 1] };
+    let petal = |k: u32| if k.is_multiple_of(2) { [0, 2 * k + 1, 2 * k + 2] } else { [0, 2 * k + 2, 2 * k + 1] };
     let face: Vec<u32> = (0..petals).flat_map(petal).collect();
     let mesh = mesh(&xyz, &face);
     let (twice, area) = cut(&mesh, &face);
