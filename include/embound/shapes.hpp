@@ -71,15 +71,6 @@ struct ExpressionOptions {
     }
 };
 
-namespace detail {
-
-/// The coordinates of corners, one after the other.
-inline const double *flat(Span<const std::array<double, 2>> corners) noexcept {
-    return corners.empty() ? nullptr : corners[0].data();
-}
-
-} // namespace detail
-
 /// The signed distance to a mesh. The work may be shared and told of through `run`. An open or
 /// inconsistent mesh without a sign is EMB_ERROR_TOPOLOGY.
 inline Geometry from_mesh(const Mesh &mesh, const SdfOptions &options = {}, const Run &run = {}) {

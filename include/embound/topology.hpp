@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 /// @file
-/// The half-edges of a mesh, and what there is to measure of its faces, edges and vertices.
+/// The half-edges of a mesh, what there is to measure of its faces, edges and vertices, and points in polygons.
 #ifndef EMBOUND_TOPOLOGY_HPP
 #define EMBOUND_TOPOLOGY_HPP
 
 #include "mesh.hpp"
+
+#include <array>
 
 namespace embound {
 
@@ -30,6 +32,27 @@ struct Nearest {
     double distance; ///< Negative behind the element's normal.
     Point point;     ///< The nearest point of the element.
 };
+
+/// How to decide whether a point lies in a polygon. They differ where a polygon covers itself twice, and nowhere on
+/// its boundary: of polygons side by side one holds each point between them.
+enum class Inside : std::int32_t {
+    Crossing = EMB_POLYGON_CROSSING, ///< Where a ray crosses the boundary an odd number of times. Exact.
+    Winding = EMB_POLYGON_WINDING,   ///< Where the boundary winds around the point, whichever way. Exact.
+    Angle = EMB_POLYGON_ANGLE        ///< Where the sides subtend more than half a turn: the winding number to rounding.
+};
+
+/// Whether a point of the plane lies in a polygon, whichever way its corners run; in fewer than three none does.
+/// Error: EMB_ERROR_INVALID_ARGUMENT naming a coordinate that is not finite or beyond 1e100.
+///
+///     const std::vector<std::array<double, 2>> inlet{{0, 0}, {3, 0}, {3, 1}, {0, 2}};
+///     bool in = embound::polygon_contains(inlet, {0.5, 0.5});
+inline bool polygon_contains(Span<const std::array<double, 2>> corners, const std::array<double, 2> &point,
+                             Inside how = Inside::Crossing) {
+    std::int32_t inside = 0;
+    const std::int32_t method = static_cast<std::int32_t>(how);
+    check(emb_polygon_contains(corners.size(), detail::flat(corners), point.data(), method, &inside));
+    return inside != 0;
+}
 
 /// The half-edges of a mesh. `none` stands for no half-edge or vertex. Shares the mesh; cheap to copy.
 class Topology {
@@ -88,6 +111,13 @@ public:
         Nearest nearest{};
         check(emb_mesh_distance(m(), element.kind, element.index, point.data(), &nearest.distance, nearest.point.data()));
         return nearest;
+    }
+
+    /// Whether a point lies in an input face: off the face's plane, whether its foot along the face's normal does.
+    bool face_contains(std::uint64_t face, const Point &point, Inside how = Inside::Crossing) const {
+        std::int32_t inside = 0;
+        check(emb_mesh_face_contains(m(), face, point.data(), static_cast<std::int32_t>(how), &inside));
+        return inside != 0;
     }
 
 private:

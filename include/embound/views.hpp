@@ -85,6 +85,10 @@ template <class T> T *wanted(const char *name, Span<T> out, std::size_t count) {
 inline double *flat(Point *points) noexcept { return points == nullptr ? nullptr : points->data(); }
 /// The coordinates of an array of points, one after the other.
 inline const double *flat(const Point *points) noexcept { return points == nullptr ? nullptr : points->data(); }
+/// The coordinates of corners in a plane, one after the other.
+inline const double *flat(Span<const std::array<double, 2>> corners) noexcept {
+    return corners.empty() ? nullptr : corners[0].data();
+}
 
 static_assert(sizeof(Point) == 3 * sizeof(double), "an array of Point is an array of coordinates");
 

@@ -105,12 +105,13 @@ pub const EMB_FILL_TAG_AROUND: i32 = 0;
 /// Triangles that fill a hole get the tag given.
 pub const EMB_FILL_TAG_GIVEN: i32 = 1;
 
-/// Inside where a ray crosses the boundary an odd number of times. Exact; polygons side by side share no point and miss
-/// none.
+/// Inside where a ray crosses the boundary an odd number of times. Exact; with each method polygons side by side share no
+/// point of their boundaries and miss none.
 pub const EMB_POLYGON_CROSSING: i32 = 0;
 /// Inside where the boundary winds around the point, whichever way: also where a polygon covers itself twice. Exact.
 pub const EMB_POLYGON_WINDING: i32 = 1;
-/// Inside where the angles that the sides subtend sum to more than half a turn; either on the boundary.
+/// Inside where the angles that the sides subtend sum to more than half a turn: the winding number to rounding, and on the
+/// boundary itself.
 pub const EMB_POLYGON_ANGLE: i32 = 2;
 
 /// One mesh a tag, by rising tag.

@@ -8,11 +8,13 @@ use super::handle::{lend, writable};
 use super::mesh::emb_mesh;
 use crate::error::{Error, Result};
 use crate::math::Vec3;
-use crate::mesh::{Inside, polygon_contains};
+use crate::mesh::{Inside, LARGEST_COORDINATE, polygon_contains};
 
 /// Whether a point of the plane lies in a polygon of `count` corners, x y each, whichever way they run: 1 or 0 to
-/// *out_inside. `method` is EMB_POLYGON_CROSSING, _WINDING or _ANGLE. Fewer than three corners hold nothing. Cost: linear.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (method; a coordinate that is not finite). Any thread.
+/// *out_inside. `method` is EMB_POLYGON_CROSSING, _WINDING or _ANGLE. Of a point on the boundary all three give the answer
+/// for one an infinitesimal to the right and above. Fewer than three corners hold nothing. Cost: linear.
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (method; a coordinate that is not finite or beyond 1e100 in
+/// magnitude). Any thread.
 /// cbindgen:ptrs-as-arrays=[[point;2]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_polygon_contains(
@@ -27,8 +29,8 @@ pub unsafe extern "C" fn emb_polygon_contains(
         let corners = slice("xy", xy, elements::<f64>("count", count, 2)?)?;
         let point: [f64; 2] = numbers("point", point)?;
         let method = self::method(method)?;
-        finite("xy", corners)?;
-        finite("point", &point)?;
+        bounded("xy", corners)?;
+        bounded("point", &point)?;
         writable("out_inside", out_inside)?;
         let corners = corners.chunks_exact(2).map(|c| [c[0], c[1]]);
         out_inside.write(polygon_contains(corners, point, method).into());
@@ -36,8 +38,11 @@ pub unsafe extern "C" fn emb_polygon_contains(
     })
 }
 
-/// The same for an input face of a mesh as it stands and a point in space, both seen along the largest component of the
-/// face's area vector. Errors: those of emb_polygon_contains, and EMB_ERROR_INVALID_ARGUMENT where the face is gone.
+/// The same for an input face of a mesh as it stands and a point in space. A point off the face's plane counts by its foot
+/// on it, along the normal of the face's area vector, however far off it is; so do corners of a face that is not plane (the
+/// plane goes through its first corner). Right and above are the two axes that follow, in the cyclic order x y z, the one
+/// that the area vector is longest along, exchanged where its component there is negative.
+/// Errors: those of emb_polygon_contains, and EMB_ERROR_INVALID_ARGUMENT where the face is gone.
 /// cbindgen:ptrs-as-arrays=[[point;3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_face_contains(
@@ -54,7 +59,7 @@ pub unsafe extern "C" fn emb_mesh_face_contains(
         let found = found.ok_or_else(|| Error::invalid(format!("face: the mesh as it stands has no face {face}")))?;
         let point: [f64; 3] = numbers("point", point)?;
         let method = self::method(method)?;
-        finite("point", &point)?;
+        bounded("point", &point)?;
         writable("out_inside", out_inside)?;
         out_inside.write(mesh.face_contains(found, Vec3::from_array(point), method).into());
         Ok(())
@@ -70,9 +75,13 @@ fn method(method: i32) -> Result<Inside> {
     }
 }
 
-fn finite(name: &str, values: &[f64]) -> Result<()> {
-    match values.iter().position(|c| !c.is_finite()) {
-        Some(k) => Err(Error::invalid(format!("{name}[{k}]: {} is not finite", values[k]))),
-        None => Ok(()),
-    }
+fn bounded(name: &str, values: &[f64]) -> Result<()> {
+    let wrong = |c: &f64| !(c.is_finite() && c.abs() <= LARGEST_COORDINATE);
+    let Some(k) = values.iter().position(wrong) else { return Ok(()) };
+    let value = values[k];
+    Err(Error::invalid(if value.is_finite() {
+        format!("{name}[{k}]: {value:e} is beyond {LARGEST_COORDINATE:e}")
+    } else {
+        format!("{name}[{k}]: {value} is not finite")
+    }))
 }

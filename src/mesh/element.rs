@@ -6,7 +6,7 @@ use super::Mesh;
 use super::measure::{Sum, area, twice_area};
 use crate::math::{Vec3, cross_of_differences, length, positive_zero, unit};
 use crate::primitive::inside::{Inside, contains};
-use crate::primitive::polygon::{are_collinear, area_vector, projection};
+use crate::primitive::polygon::{are_collinear, area_vector, foot_on_plane, projection};
 use crate::primitive::triangle::{self, Prepared, V3, nearest};
 use std::ops::Range;
 
@@ -67,12 +67,19 @@ impl Mesh {
         (positive_zero(if behind { -distance } else { distance }), foot + Vec3::ZERO)
     }
 
-    /// Whether a point lies in a face of [`Mesh::half_edges`], both seen along the largest component of the face's
-    /// area vector. Panics on a number out of range.
+    /// Whether a point lies in a face of [`Mesh::half_edges`]: off its plane, whether its foot along the normal of the
+    /// area vector does. Corners off the plane through the first count by their feet, too. Exact for what is in the
+    /// plane to rounding. Panics on a number out of range.
     pub fn face_contains(&self, f: u32, p: Vec3, how: Inside) -> bool {
         let corners = self.half_edges().corners(f).iter().map(|&v| self.vertices()[v as usize]);
-        let [u, v] = projection(area_vector(corners.clone()));
-        contains(corners.map(|q| [q[u], q[v]]), [p[u], p[v]], how)
+        let first = self.vertices()[self.half_edges().corners(f)[0] as usize];
+        let area = area_vector(corners.clone());
+        let ([u, v], normal) = (projection(area), unit(area));
+        let flat = |q: Vec3| {
+            let foot = foot_on_plane(q, first, normal);
+            [foot[u], foot[v]]
+        };
+        contains(corners.map(flat), flat(p), how)
     }
 
     fn measure_face(&self, f: u32) -> Measure {

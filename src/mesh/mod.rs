@@ -9,12 +9,14 @@ mod copies;
 mod data;
 mod diagnosis;
 mod duplicates;
+mod ears;
 mod edges;
 mod element;
 mod faces;
 mod half_edge;
 mod input;
 mod least_area;
+mod lobes;
 mod measure;
 mod nesting;
 mod options;
@@ -164,7 +166,10 @@ impl Mesh {
 
     /// A mesh of polygons: face f has the corners `indices[offsets[f]..offsets[f + 1]]`, at least three.
     /// Faces may be concave, may touch themselves (a hole joined to the rim by a bridge) and need not be quite
-    /// plane: each is cut into triangles that keep its boundary ([`Report::warped_faces`] counts doubtful ones).
+    /// plane: each is cut into triangles that keep its boundary ([`Report::warped_faces`] counts doubtful ones). One
+    /// that crosses itself is cut for the least area; of more than 250 corners, it is parted where it comes to a vertex
+    /// again, and what then still crosses itself is cut from one corner, and may cover what it does not enclose. About
+    /// n log n in the corners of a face.
     ///
     /// # Errors
     /// Those of [`Mesh::from_triangles`]; offsets that do not begin with 0, fall, leave a face fewer than

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Faces cut into triangles.
 
-use super::Triangle;
 use super::faces::Faces;
 use super::least_area::least_area;
-use crate::error::{Result, try_with_capacity};
+use super::lobes::Lobes;
+use super::{Triangle, ears};
+use crate::error::{Result, try_copy, try_with_capacity};
 use crate::math::{Aabb, Vec3, length, unit};
 use crate::primitive::polygon;
 
@@ -13,16 +14,20 @@ use crate::primitive::polygon;
 const PLANARITY: f64 = 1e-5;
 const F32_ROUNDING: f64 = 2.4e-7;
 
-/// Faces of more corners that no plane shows without crossings are cut into a plain fan: the least area takes
-/// the cube of their number.
-const MOST_CORNERS: usize = 1000;
+/// The least area, which takes the cube of the number of corners, is looked for over faces of up to so many: some
+/// 10 ms.
+const MOST_CORNERS: usize = 250;
+
+/// From about here on a tree of the corners finds ears faster than a look at each.
+const MANY_CORNERS: usize = 100;
 
 /// The triangles of all faces in order; also how many faces are warped. `Triangle::face` counts in `faces`, not in
 /// the input.
 ///
 /// Every face keeps its boundary. Seen along its area vector, a face that the diagonals from its first corner cut
 /// is cut by those; another that does not cross itself by clipping ears; and what does by the triangulation of least
-/// area.
+/// area. Of more than [`MOST_CORNERS`] corners, what does is parted where it comes to a vertex again, and each part cut
+/// by these rules; what then still crosses itself is cut into a fan.
 pub(super) fn triangulate(vertices: &[Vec3], faces: &Faces) -> Result<(Vec<Triangle>, usize)> {
     let count = faces.corners.len() - 2 * faces.len();
     let mut triangles = try_with_capacity("triangles", count)?;
@@ -60,8 +65,7 @@ impl Scratch {
         let n = corners.len();
         let at = |k: usize| vertices[corners[k] as usize];
         let points = (0..n).map(at);
-        self.ring.resize(n, 0);
-        self.fan(n);
+        self.fan(corners)?;
         if polygon::are_on_a_line(points.clone()) {
             return Ok(true);
         }
@@ -70,27 +74,70 @@ impl Scratch {
             let [u, v] = polygon::projection(normal);
             self.points.clear();
             self.points.extend(points.clone().map(|p| [p[u], p[v]]));
-            if polygon::is_cut_by_fan(&self.points)
-                || polygon::clip_ears(&self.points, &mut self.ring, &mut self.triangles)
-            {
+            if polygon::is_cut_by_fan(&self.points) || self.clip_ears()? {
                 return Ok(is_plane(points, unit(normal)));
             }
         }
-        self.fan(n);
-        if n <= MOST_CORNERS {
-            let points: Vec<Vec3> = points.collect();
-            if let Some(triangles) = least_area(&points, &|_, _| false)? {
-                self.triangles = triangles;
-            }
+        self.fan(corners)?;
+        if n > MOST_CORNERS {
+            self.cut_lobes(vertices, corners)?;
+            return Ok(false);
+        }
+        // Sides between two corners at one vertex are allowed: where a face touches itself in a vertex the triangles
+        // there have no area, and any others would cover what the face does not.
+        let points: Vec<Vec3> = points.collect();
+        if let Some(triangles) = least_area(&points, &|_, _| false)? {
+            self.triangles = triangles;
         }
         Ok(false)
     }
 
-    /// The fan from the first corner.
-    fn fan(&mut self, n: usize) {
-        self.triangles.clear();
-        self.triangles.extend((1..n as u32 - 1).map(|k| [0, k, k + 1]));
+    /// Cuts each loop of a face on its own where it comes to a vertex again.
+    fn cut_lobes(&mut self, vertices: &[Vec3], corners: &[u32]) -> Result<()> {
+        let lobes = Lobes::of(corners)?;
+        if lobes.iter().len() == 1 {
+            return Ok(());
+        }
+        let mut triangles = try_with_capacity("triangles", corners.len() - 2)?;
+        triangles.extend_from_slice(&lobes.fillers);
+        let mut lobe = Vec::new();
+        for ring in lobes.iter().filter(|ring| ring.len() > 2) {
+            lobe.clear();
+            lobe.extend(ring.iter().map(|&k| corners[k as usize]));
+            self.cut(vertices, &lobe)?;
+            triangles.extend(self.triangles.iter().map(|t| t.map(|k| ring[k as usize])));
+        }
+        self.triangles = triangles;
+        Ok(())
     }
+
+    /// The ears of `points`, the same both ways.
+    fn clip_ears(&mut self) -> Result<bool> {
+        if self.points.len() < MANY_CORNERS {
+            self.ring.resize(self.points.len(), 0);
+            Ok(polygon::clip_ears(&self.points, &mut self.ring, &mut self.triangles))
+        } else {
+            ears::clip_ears(&self.points, &mut self.triangles)
+        }
+    }
+
+    /// The fan from the first corner whose vertex comes once: no triangle has a vertex twice then.
+    fn fan(&mut self, corners: &[u32]) -> Result<()> {
+        let n = corners.len() as u32;
+        let first = if corners[1..].contains(&corners[0]) { first_alone(corners)? } else { 0 };
+        let from_first = |k: u32| if k < n - first { first + k } else { k - (n - first) };
+        self.triangles.clear();
+        self.triangles.extend((1..n - 1).map(|k| [first, from_first(k), from_first(k + 1)]));
+        Ok(())
+    }
+}
+
+/// The first corner whose vertex comes once; the first of all where none does.
+fn first_alone(corners: &[u32]) -> Result<u32> {
+    let mut sorted = try_copy("corners", corners)?;
+    sorted.sort_unstable();
+    let comes_once = |c: &u32| sorted.get(sorted.partition_point(|other| other < c) + 1) != Some(c);
+    Ok(corners.iter().position(comes_once).unwrap_or(0) as u32)
 }
 
 fn is_plane(points: impl Iterator<Item = Vec3> + Clone, normal: Vec3) -> bool {

@@ -45,6 +45,14 @@ pub fn projection(area_vector: Vec3) -> [usize; 2] {
     if area_vector[drop] < 0.0 { [v, u] } else { [u, v] }
 }
 
+/// The foot of `p` on the plane through `origin` with this unit normal; `p` itself where it is off the plane by no
+/// more than rounding its coordinates explains, so that what lies in the plane keeps its bits.
+pub fn foot_on_plane(p: Vec3, origin: Vec3, normal: Vec3) -> Vec3 {
+    let height = (p - origin).dot(normal);
+    let rounding = 8.0 * f64::EPSILON * normal.abs().dot(p.abs().max(origin.abs()));
+    if height.abs() <= rounding { p } else { p - normal * height }
+}
+
 /// Cuts a counter-clockwise polygon, which may touch but not cross itself, into `points.len() - 2` triangles
 /// of positive area; triangles of zero area only where nothing else is left. `ring` is scratch of
 /// `points.len()`; `out` takes the triangles, as indices into `points`. False where the polygon crosses itself so that no ear
@@ -82,19 +90,21 @@ pub(crate) fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     orient2d(coordinate(a), coordinate(b), coordinate(c))
 }
 
-/// Convex, and no other point of the ring in it or on it. Points that coincide with its corners do not count:
-/// a polygon that touches itself there has its other edges outside.
+/// Convex, and no other point of the ring in it or on it.
 fn is_ear(points: &[[f64; 2]], ring: &[u32], ear: [u32; 3]) -> bool {
-    let [a, b, c] = ear.map(|k| points[k as usize]);
-    turn(a, b, c) > 0.0
-        && !ring
-            .iter()
-            .map(|&k| points[k as usize])
-            .any(|p| p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0)
+    let ear = ear.map(|k| points[k as usize]);
+    let [a, b, c] = ear;
+    turn(a, b, c) > 0.0 && !ring.iter().any(|&k| blocks(points[k as usize], ear))
+}
+
+/// Whether a point lies in a counter-clockwise triangle or on it. Points that coincide with its corners do not count: a
+/// polygon that touches itself there has its other edges outside.
+pub(crate) fn blocks(p: [f64; 2], [a, b, c]: [[f64; 2]; 3]) -> bool {
+    p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0
 }
 
 /// Three different points on one line.
-fn is_flat(points: &[[f64; 2]], ear: [u32; 3]) -> bool {
+pub(crate) fn is_flat(points: &[[f64; 2]], ear: [u32; 3]) -> bool {
     let [a, b, c] = ear.map(|k| points[k as usize]);
     a != b && b != c && c != a && turn(a, b, c) == 0.0
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  * What meshes tell of themselves: half-edges walked round faces and vertices, measures and distances of single faces,
- * edges and vertices, triangles; also where edges are open, faces are gone and nothing is welded. The last line is a
- * hash of all numbers, the same with every library and instruction set. */
+ * edges and vertices, triangles, points in faces and polygons; also where edges are open, faces are gone and nothing is
+ * welded. The last line is a hash of all numbers, the same with every library and instruction set. */
 #include "check.h"
 
 static uint64_t hash = HASH_START;
@@ -226,6 +226,48 @@ static void nothing_is_welded_where_the_tolerance_is_minus_one(void) {
   emb_mesh_free(again);
 }
 
+static void points_in_polygons_are_refused_beyond_what_the_library_handles(const emb_mesh *cube) {
+  static const double wrong[5] = {NAN, INFINITY, -INFINITY, 1.1e100, -1e300};
+  static const char *const names[5] = {"NaN is not finite", "inf is not finite", "-inf is not finite",
+                                       "1.1e100 is beyond 1e100", "-1e300 is beyond 1e100"};
+  int32_t method, inside = 7;
+  int k, c;
+  for (method = EMB_POLYGON_CROSSING; method <= EMB_POLYGON_ANGLE; method++) {
+    for (k = 0; k < 5; k++) {
+      for (c = 0; c < 3; c++) {
+        double square[8] = {0, 0, 1e100, 0, 1e100, 1e100, 0, 1e100}, at[3] = {0.5, 0.5, 0.5};
+        char wanted[64];
+        at[c] = wrong[k];
+        snprintf(wanted, sizeof wanted, "point[%d]: %s", c, names[k]);
+        CHECK(emb_mesh_face_contains(cube, 1, at, method, &inside) == EMB_ERROR_INVALID_ARGUMENT);
+        CHECK(strcmp(emb_last_error(), wanted) == 0);
+        if (c < 2) {
+          CHECK(emb_polygon_contains(4, square, at, method, &inside) == EMB_ERROR_INVALID_ARGUMENT);
+          CHECK(strcmp(emb_last_error(), wanted) == 0);
+        }
+        at[c] = 0.5;
+        square[5 - c] = wrong[k];
+        snprintf(wanted, sizeof wanted, "xy[%d]: %s", 5 - c, names[k]);
+        CHECK(emb_polygon_contains(4, square, at, method, &inside) == EMB_ERROR_INVALID_ARGUMENT);
+        CHECK(strcmp(emb_last_error(), wanted) == 0);
+      }
+    }
+    CHECK(inside == 7);
+    {
+      /* the largest there may be, and far off the face */
+      static const double square[8] = {-1e100, -1e100, 1e100, -1e100, 1e100, 1e100, -1e100, 1e100};
+      static const double in[2] = {9e99, -1e100}, on[2] = {1e100, 0}, far[3] = {0.5, 0.25, -1e100};
+      CHECK_OK(emb_polygon_contains(4, square, in, method, &inside));
+      CHECK(inside == 1);
+      CHECK_OK(emb_polygon_contains(4, square, on, method, &inside));
+      CHECK(inside == 0);
+      CHECK_OK(emb_mesh_face_contains(cube, 1, far, method, &inside));
+      CHECK(inside == 1);
+      inside = 7;
+    }
+  }
+}
+
 int main(void) {
   double xyz[24];
   emb_mesh *cube = cube_of_squares(0, 1, NULL, NULL);
@@ -236,6 +278,7 @@ int main(void) {
   faces_edges_and_vertices_are_measured(cube);
   boundaries_and_faces_that_are_gone_have_no_neighbours();
   nothing_is_welded_where_the_tolerance_is_minus_one();
+  points_in_polygons_are_refused_beyond_what_the_library_handles(cube);
   emb_mesh_free(cube);
   printf("hash %016llx\n", (unsigned long long)hash);
   return checks_done("meshes");

@@ -88,6 +88,30 @@ TEST(elements_are_measured) {
           EMB_ERROR_INVALID_ARGUMENT);
 }
 
+TEST(points_lie_in_polygons_and_faces_three_ways) {
+    using embound::Inside;
+    // A pentagram's middle is covered twice.
+    std::vector<std::array<double, 2>> star;
+    for (int k = 0; k < 5; ++k) {
+        const double turn = 0.8 * std::acos(-1.0) * k;
+        star.push_back({std::cos(turn), std::sin(turn)});
+    }
+    CHECK(!embound::polygon_contains(star, {0.01, 0.02}) && !embound::polygon_contains(star, {0.01, 0.02}, Inside::Crossing));
+    CHECK(embound::polygon_contains(star, {0.01, 0.02}, Inside::Winding));
+    CHECK(embound::polygon_contains(star, {0.01, 0.02}, Inside::Angle));
+    const embound::Topology topology(cube());
+    for (const Inside how : {Inside::Crossing, Inside::Winding, Inside::Angle}) {
+        CHECK(embound::polygon_contains(star, {0.7, 0.01}, how) && !embound::polygon_contains(star, {-0.9, 0.3}, how));
+        CHECK(!embound::polygon_contains({}, {0.0, 0.0}, how));
+        CHECK(topology.face_contains(1, {0.25, 0.75, -40.0}, how) && !topology.face_contains(1, {0.25, 1.25, 1.0}, how));
+        CHECK(check::status_of([&] { embound::polygon_contains(star, {0.0, 2e100}, how); }, "point[1]: 2e100") ==
+              EMB_ERROR_INVALID_ARGUMENT);
+    }
+    CHECK(check::status_of([&] { topology.face_contains(6, {0.0, 0.0, 0.0}); }, "face 6") == EMB_ERROR_INVALID_ARGUMENT);
+    CHECK(check::status_of([&] { topology.face_contains(1, {0.0, 0.0, -2e100}); }, "point[2]: -2e100") ==
+          EMB_ERROR_INVALID_ARGUMENT);
+}
+
 TEST(vertices_triangles_and_tags_come_as_vectors) {
     const std::vector<std::int32_t> given{4, 4, -9, 4, 4, 4};
     const embound::Mesh mesh = cube({}, given);

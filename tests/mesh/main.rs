@@ -11,6 +11,8 @@ mod data;
 mod elements;
 mod normals;
 mod orientation;
+mod polygon_lobes;
+mod polygon_points;
 mod polygons;
 mod report;
 mod topology;

@@ -303,3 +303,38 @@ fn points_on_a_straight_side_are_kept_and_flat_polygons_stay() {
     assert_eq!((r.degenerate_faces, r.boundary_edges, mesh.triangle_count()), (1, 3, 5));
     assert!(close(r.area, 4.5));
 }
+
+/// A band wound a hundred times, a comb, and a corner of straight sides: the triangles keep the sides, run as they do
+/// and have the area of the face. A look at every corner for each ear would take minutes here.
+#[test]
+fn faces_of_many_corners_are_cut_into_triangles_of_their_area() {
+    const N: usize = 20_000;
+    let part = |k: usize| k as f64 / N as f64;
+    let wound = |k: usize, r: f64| {
+        let a = 100.0 * part(k) * std::f64::consts::TAU;
+        let r = 100.0 * part(k) + r;
+        [r * libm::cos(a), r * libm::sin(a)]
+    };
+    let spiral: Vec<[f64; 2]> = (0..N).map(|k| wound(k, 1.0)).chain((0..N).rev().map(|k| wound(k, 0.5))).collect();
+    let teeth = (0..N).rev().flat_map(|k| [[k as f64 + 1.0, 5.0], [k as f64 + 0.5, 1.0]]);
+    let comb = [[0.0, 0.0], [N as f64, 0.0]].into_iter().chain(teeth).chain([[0.0, 5.0]]).collect();
+    let between = |p: [f64; 2], q: [f64; 2], k: usize| [0, 1].map(|c| p[c] * (N - k) as f64 + q[c] * k as f64);
+    let sides = (0..6).flat_map(|s| (0..N).map(move |k| between(L_SHAPE[s], L_SHAPE[(s + 1) % 6], k))).collect();
+    for outline in [spiral, comb, sides] {
+        let n = outline.len();
+        let xyz: Vec<f64> = outline.iter().flat_map(|p| [p[0], p[1], 2.0 * p[0]]).collect();
+        let ring: Vec<u32> = (0..n as u32).collect();
+        let keep = options(|o| o.orient = Orient::Keep);
+        let mesh = Mesh::from_polygons(&xyz, &[0, n], &ring, None, &keep).unwrap();
+        let at = |v: u32| outline[v as usize];
+        let twice =
+            |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+        let wanted: f64 = (1..n - 1).map(|k| twice(outline[0], outline[k], outline[k + 1])).sum();
+        let areas = mesh.triangles().iter().map(|t| twice(at(t.vertices[0]), at(t.vertices[1]), at(t.vertices[2])));
+        assert!(areas.clone().all(|a| a > 0.0));
+        assert!((areas.sum::<f64>() / wanted - 1.0).abs() < 1e-9);
+        let sides = mesh.triangles().iter().flat_map(|t| (0..3).map(|k| (t.vertices[k], t.vertices[(k + 1) % 3])));
+        assert_eq!(sides.filter(|(a, b)| (a + 1) % n as u32 == *b).count(), n);
+        assert_eq!((mesh.triangle_count(), mesh.report().warped_faces), (n - 2, 0));
+    }
+}
