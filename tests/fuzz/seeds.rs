@@ -91,7 +91,9 @@ const VTK_5: &str = "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nFIE
     tag_names 1 1 string\na\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nMETADATA\nINFORMATION 0\n\nVERTICES 2 1\nOFFSETS \
     vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n0\nTRIANGLE_STRIPS 2 6\nOFFSETS vtktypeint64\n0 6\nCONNECTIVITY \
     vtktypeint64\n0 1 2 3 0 1\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 2 1\n\
-    CELL_DATA 3\nSCALARS tag int 1\nLOOKUP_TABLE default\n1 2 3\nPOINT_DATA 4\nVECTORS v float\n0 0 0 1 1 1 2 2 2 3 3 3\n";
+    CELL_DATA 3\nSCALARS tag int 1\nLOOKUP_TABLE default\n1 2 3\nPOINT_DATA 4\nVECTORS v float\n0 0 0 1 1 1 2 2 2 3 3 3\n\
+    METADATA\nCOMPONENT_NAMES\nx\n\nz\nINFORMATION 2\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0.5 9.1\n\
+    NAME NAMES LOCATION vtkAbstractArray\nDATA 2\na%20b\nc\n\nFIELD FieldData 1\nINFORMATION 1 4 double\n1 2 3 4\n";
 
 fn vtk_text(soup: &Soup) -> Vec<u8> {
     let mut text = String::from("# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\n");
@@ -123,7 +125,13 @@ fn vtk_binary(soup: &Soup, offsets: bool) -> Vec<u8> {
     }
     out.extend(format!("\nCELL_DATA {faces}\nSCALARS tag int 1\nLOOKUP_TABLE default\n").bytes());
     (0..faces as i32).for_each(|f| out.extend(f.to_be_bytes()));
-    out.push(b'\n');
+    out.extend(
+        format!("\nMETADATA\nCOMPONENT_NAMES\nthe%20tag\n\nFIELD FieldData 2\nwords 1 {faces} string\n").bytes(),
+    );
+    (0..faces).for_each(|_| out.extend(b"\xc4name"));
+    out.extend(format!("\nheat 1 {faces} unsigned_char\n").bytes());
+    out.extend((0..faces).map(|f| f as u8));
+    out.extend(b"\nMETADATA\nCOMPONENT_NAMES\n\nINFORMATION 1\nNAME UNITS_LABEL LOCATION vtkDataArray\nDATA K\n\n");
     out
 }
 

@@ -46,10 +46,14 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
             }
             b"POLYGONS" if file.polygons.ends.is_empty() => file.polygons = file.faces()?,
             b"TRIANGLE_STRIPS" if file.strips.ends.is_empty() => file.strips = file.faces()?,
-            b"METADATA" => file.cursor.skip_block(),
             b"POINT_DATA" => of = Of::Points(file.cursor.count()?),
             b"CELL_DATA" => of = Of::Cells(file.cursor.count()?),
-            b"FIELD" if of == Of::Nothing => file.tag_names = super::data::names(&mut file.cursor)?,
+            b"FIELD" if of == Of::Nothing => {
+                let names = super::data::names(&mut file.cursor)?;
+                if file.tag_names.is_empty() {
+                    file.tag_names = names;
+                }
+            }
             _ => match of {
                 Of::Points(count) => file.of_points.read(&word, count, &mut file.cursor)?,
                 Of::Cells(count) => file.of_cells.read(&word, count, &mut file.cursor)?,
@@ -111,6 +115,7 @@ impl<'a> File<'a> {
             return Err(self.cursor.wrong(format_args!("{count} points are more than {}", u32::MAX - 1)));
         }
         let values = self.cursor.numbers(3 * count, number)?;
+        self.cursor.skip_metadata(3)?;
         if let Some(k) = values.iter().position(|x| !x.is_finite() || x.abs() > LARGEST_COORDINATE) {
             return Err(self.cursor.wrong(format_args!(
                 "the coordinate {} of point {} is not finite",
@@ -141,11 +146,13 @@ impl<'a> File<'a> {
         self.cursor.word();
         let number = self.number()?;
         let offsets = self.cursor.numbers(first, number)?;
+        self.cursor.skip_metadata(1)?;
         if !self.cursor.word().eq_ignore_ascii_case(b"CONNECTIVITY") {
             return Err(self.cursor.wrong("there is no CONNECTIVITY behind OFFSETS"));
         }
         let number = self.number()?;
         let corners = self.cursor.numbers(second, number)?;
+        self.cursor.skip_metadata(1)?;
         let rises = offsets.windows(2).all(|w| w[0] <= w[1]);
         let ends = offsets.first().is_none_or(|x| *x == 0.0) && offsets.last().is_none_or(|x| *x <= second as f64);
         if !rises || !ends {
