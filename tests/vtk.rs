@@ -164,6 +164,42 @@ fn metadata_of_arrays_are_stepped_over_and_arrays_may_have_their_names() {
 }
 
 #[test]
+fn numbers_of_a_text_are_rounded_as_the_bytes_of_their_type() {
+    let data = "POINT_DATA 8\nFIELD f 3\ns 1 8 float\n0.1 -1e-40 16777217 0.3 1 1 1 1\n\
+        c 1 8 unsigned_char\n0 255 1 1 1 1 1 1\nu 1 8 vtkTypeUInt64\n18446744073709551615 1 1 1 1 1 1 1\n";
+    let points = POINTS.replace("1 1 0", "1.1 1.1 0.3");
+    let text = file("3.0", &[&points, OLD, data]);
+    let mesh = read(text.as_bytes()).unwrap();
+    assert_eq!(mesh.vertex_fields()[0].values[..3], [f64::from(0.1f32), f64::from(-1e-40f32), 16_777_216.0]);
+    assert_eq!(mesh.vertices()[6].x, 1.0);
+    assert!(mesh.vertices().iter().any(|p| p.z == f64::from(0.3f32)));
+    assert_eq!((mesh.vertex_fields()[2].kind, mesh.vertex_fields()[2].values[0]), (FieldType::F64, 2f64.powi(64)));
+    let bytes = binary(&text.replace("vtkTypeUInt64", "double"));
+    assert!(described(&read(&bytes).unwrap()) == described(&mesh));
+    for (kind, value) in [
+        ("char", "128"),
+        ("unsigned_char", "-1"),
+        ("short", "0.5"),
+        ("vtkIdType", "3e9"),
+        ("float", "1e39"),
+        ("double", "1e309"),
+    ] {
+        let data = format!("POINT_DATA 8\nFIELD f 1\ns 1 8 {kind}\n1 2 3\n{value} 5 6 7 8\n");
+        let message = refused(file("3.0", &[POINTS, OLD, &data]).as_bytes());
+        assert!(message.starts_with(&format!("line 19: \"{value}\" is not a number")), "{message}");
+    }
+    // Colours of text are parts of one.
+    let colours = "POINT_DATA 8\nCOLOR_SCALARS c 1\n0 1 0.00392157 0.498 2 -1 nan 0.2\n";
+    let mesh = read(file("3.0", &[POINTS, OLD, colours]).as_bytes()).unwrap();
+    let mut values = mesh.vertex_fields()[0].values.clone();
+    values.sort_by(f64::total_cmp);
+    assert_eq!(
+        (mesh.vertex_fields()[0].kind, values),
+        (FieldType::U8, vec![0.0, 0.0, 0.0, 1.0, 51.0, 127.0, 255.0, 255.0])
+    );
+}
+
+#[test]
 fn data_that_are_no_numbers_are_left_out_in_text_and_in_bytes() {
     let others = "POINT_DATA 8\nPEDIGREE_IDS ids string\na\nb\n\nd\ne%20e\nf\ng\nh\n";
     let text =
@@ -306,6 +342,11 @@ fn files_that_are_wrong_are_refused_with_the_place() {
 fn sections_of_data_must_all_fit_and_strips_do_not_multiply_them_without_bound() {
     let none = "CELL_DATA 0\nSCALARS tag int 1\nLOOKUP_TABLE default\nCELL_DATA 6\nSCALARS u int 1\nLOOKUP_TABLE default\n1 2 3 4 5 6\n";
     assert_eq!(refused(file("3.0", &[POINTS, OLD, none]).as_bytes()), "CELL_DATA: \"tag\" has 0 items for 6");
+    let wide = |of: &str| format!("POINT_DATA {of}\nFIELD f 1\nu 4611686018427387904 0 int\n");
+    let after = format!("POINT_DATA 8\nVECTORS n int\n{}\n", "1 ".repeat(24));
+    let message = refused(file("3.0", &[POINTS, OLD, &wide("0"), &after]).as_bytes());
+    assert_eq!(message, "POINT_DATA: \"u\" has 0 items for 8");
+    assert!(read(file("3.0", &[POINTS, OLD, &wide("8")]).as_bytes()).unwrap().vertex_fields().is_empty());
     let strip = format!("TRIANGLE_STRIPS 1 20001\n20000 {}\n", "0 1 2 3 ".repeat(5000));
     let arrays: String = (0..400).map(|k| format!("a{k} 1 1 int\n{k}\n")).collect();
     let text = file("3.0", &[POINTS, &strip, "CELL_DATA 1\nFIELD FieldData 400\n", &arrays]);

@@ -61,7 +61,7 @@ pub fn read_files(paths: &[&Path], format: Format, tags: JoinTags, options: &Mes
     let mut inputs = Vec::new();
     for path in paths {
         let mut input = read_input(path, format)?;
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let stem = text::one_line(&path.file_stem().unwrap_or_default().to_string_lossy());
         if tags == JoinTags::ByMesh {
             input.tag_names = vec![(0, stem)];
         } else if tags == JoinTags::Renumber && input.tag_names.is_empty() && input.tags.is_empty() {

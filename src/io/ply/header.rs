@@ -3,7 +3,7 @@
 
 use crate::error::{Error, Result};
 use crate::io::number::Number;
-use crate::mesh::FieldType;
+use crate::io::text::one_line;
 use std::collections::BTreeSet;
 
 /// How the numbers are written.
@@ -17,8 +17,8 @@ pub(super) enum Encoding {
 /// One number an item, or a count and so many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
-    Scalar(FieldType),
-    List { count: FieldType, item: FieldType },
+    Scalar(Number),
+    List { count: Number, item: Number },
 }
 
 pub(super) struct Property {
@@ -43,7 +43,7 @@ impl Element {
         let of = |p: &Property| match (encoding, p.shape) {
             // A digit, and the space before the next.
             (Encoding::Ascii, _) => 2,
-            (_, Shape::Scalar(t) | Shape::List { count: t, .. }) => Number::of_field(t).size(),
+            (_, Shape::Scalar(t) | Shape::List { count: t, .. }) => t.size(),
         };
         self.properties.iter().map(of).sum()
     }
@@ -75,10 +75,6 @@ impl Vector {
         let name: String = self.name.chars().map(|c| if c.is_whitespace() { '_' } else { c }).collect();
         if self.components == 1 { name } else { format!("{name}_{component}") }
     }
-}
-
-pub(super) fn is_integer(t: FieldType) -> bool {
-    !matches!(t, FieldType::F32 | FieldType::F64)
 }
 
 /// Reads up to `end_header`.
@@ -116,7 +112,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
             ["property", "list", count, item, name] => {
                 let [count, item] = [count, item].map(type_of);
                 let (Some(count), Some(item)) = (count, item) else { return Err(unexpected()) };
-                if !is_integer(count) {
+                if !count.is_integer() {
                     return Err(Error::parse(format!("line {}: the count of a list is no integer", lines.line)));
                 }
                 header.add(name, Shape::List { count, item }, lines.line)?;
@@ -158,18 +154,19 @@ fn encoding_of(name: &str) -> Option<Encoding> {
     }
 }
 
-/// Both families of names. An unsigned 64-bit integer is kept as a signed one.
-fn type_of(name: &str) -> Option<FieldType> {
+/// Both families of names.
+fn type_of(name: &str) -> Option<Number> {
     Some(match name {
-        "char" | "int8" => FieldType::I8,
-        "uchar" | "uint8" => FieldType::U8,
-        "short" | "int16" => FieldType::I16,
-        "ushort" | "uint16" => FieldType::U16,
-        "int" | "int32" => FieldType::I32,
-        "uint" | "uint32" => FieldType::U32,
-        "int64" | "uint64" | "long" | "ulong" => FieldType::I64,
-        "float" | "float32" => FieldType::F32,
-        "double" | "float64" => FieldType::F64,
+        "char" | "int8" => Number::I8,
+        "uchar" | "uint8" => Number::U8,
+        "short" | "int16" => Number::I16,
+        "ushort" | "uint16" => Number::U16,
+        "int" | "int32" => Number::I32,
+        "uint" | "uint32" => Number::U32,
+        "int64" | "long" => Number::I64,
+        "uint64" | "ulong" => Number::U64,
+        "float" | "float32" => Number::F32,
+        "double" | "float64" => Number::F64,
         _ => return None,
     })
 }
@@ -178,8 +175,8 @@ fn type_of(name: &str) -> Option<FieldType> {
 fn tag_name(line: &str) -> Option<(i32, String)> {
     let rest = line.trim_start().strip_prefix("comment")?.trim_start().strip_prefix("tag ")?;
     let (number, name) = rest.trim().split_once(' ')?;
-    let name = name.trim();
-    if name.is_empty() || name.chars().any(char::is_control) { None } else { Some((number.parse().ok()?, name.into())) }
+    let name = one_line(name);
+    if name.is_empty() { None } else { Some((number.parse().ok()?, name)) }
 }
 
 /// `comment field vertex|face COMPONENTS NAME`, as this library writes it.
@@ -187,8 +184,8 @@ fn vector(line: &str) -> Option<Vector> {
     let rest = line.trim_start().strip_prefix("comment")?.trim_start().strip_prefix("field ")?;
     let (on, rest) = rest.split_once(' ')?;
     let (components, name) = rest.split_once(' ')?;
-    let (components, name) = (components.parse().ok().filter(|n| *n > 0)?, name.trim().to_owned());
-    let known = matches!(on, "vertex" | "face") && !name.is_empty() && !name.chars().any(char::is_control);
+    let (components, name) = (components.parse().ok().filter(|n| *n > 0)?, one_line(name));
+    let known = matches!(on, "vertex" | "face") && !name.is_empty();
     known.then_some(Vector { on_faces: on == "face", components, name })
 }
 

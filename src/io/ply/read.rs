@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The items of a PLY file: vertices, faces and strips; other elements are stepped over.
 
-use super::header::{self, Element, Header, Property, Shape, Vector, is_integer};
+use super::header::{self, Element, Header, Property, Shape, Vector};
 use super::numbers::Numbers;
 use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::io::number::Number;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
 
@@ -85,8 +86,8 @@ fn read_vertices(element: &Element, numbers: &mut Numbers, input: &mut Input) ->
         }
     }
     enum Goes {
-        Axis(usize, FieldType),
-        Field(usize, FieldType),
+        Axis(usize, Number),
+        Field(usize, Number),
         Nowhere,
     }
     let mut plan = Vec::new();
@@ -95,7 +96,7 @@ fn read_vertices(element: &Element, numbers: &mut Numbers, input: &mut Input) ->
         plan.push(match (axis, p.shape) {
             (Some(axis), Shape::Scalar(t)) => Goes::Axis(axis, t),
             (None, Shape::Scalar(t)) => {
-                input.vertex_data.push(field(&p.name, t, element.count)?);
+                input.vertex_data.push(field(&p.name, element.count)?);
                 Goes::Field(input.vertex_data.len() - 1, t)
             }
             _ => Goes::Nowhere,
@@ -113,6 +114,12 @@ fn read_vertices(element: &Element, numbers: &mut Numbers, input: &mut Input) ->
         }
         input.positions.push(position);
     }
+    for goes in plan {
+        if let Goes::Field(k, t) = goes {
+            let field = &mut input.vertex_data[k];
+            field.kind = t.field_type(&field.values);
+        }
+    }
     Ok(())
 }
 
@@ -123,14 +130,19 @@ fn coordinate(vertex: usize, x: f64, numbers: &Numbers) -> Result<f64> {
     Err(Error::parse(format!("{}: the coordinate {x} of vertex {vertex} is not finite", numbers.place())))
 }
 
-fn field(name: &str, kind: FieldType, count: usize) -> Result<Field> {
-    Ok(Field { name: name.to_owned(), kind, components: 1, values: try_with_capacity("values", count)? })
+fn field(name: &str, count: usize) -> Result<Field> {
+    Ok(Field {
+        name: name.to_owned(),
+        kind: FieldType::F64,
+        components: 1,
+        values: try_with_capacity("values", count)?,
+    })
 }
 
 /// The list that holds the corners.
 fn corners_of(element: &Element) -> Result<usize> {
     let named = |p: &Property| ["vertex_indices", "vertex_index"].iter().any(|n| p.name.eq_ignore_ascii_case(n));
-    let lists = |p: &Property| matches!(p.shape, Shape::List { item, .. } if is_integer(item));
+    let lists = |p: &Property| matches!(p.shape, Shape::List { item, .. } if item.is_integer());
     element
         .properties
         .iter()
@@ -143,7 +155,7 @@ fn read_faces(element: &Element, vertices: usize, numbers: &mut Numbers, input: 
     let mut fields = Vec::new();
     for p in &element.properties {
         fields.push(match p.shape {
-            Shape::Scalar(t) => Some((t, field(&p.name, t, element.count)?)),
+            Shape::Scalar(t) => Some((t, field(&p.name, element.count)?)),
             Shape::List { .. } => None,
         });
     }
@@ -161,9 +173,10 @@ fn read_faces(element: &Element, vertices: usize, numbers: &mut Numbers, input: 
             push(input, ring.iter().map(|v| *v as u32), number)?;
         }
     }
-    for (t, field) in fields.into_iter().flatten() {
+    for (t, mut field) in fields.into_iter().flatten() {
+        field.kind = t.field_type(&field.values);
         let fits = |x: &f64| *x >= f64::from(i32::MIN) && *x <= f64::from(i32::MAX);
-        let whole = is_integer(t) && field.values.iter().all(fits);
+        let whole = t.is_integer() && field.values.iter().all(fits);
         if field.name.eq_ignore_ascii_case("tag") && whole && input.tags.is_empty() {
             input.tags = try_with_capacity("tags", field.values.len())?;
             input.tags.extend(field.values.iter().map(|x| *x as i32));
@@ -213,7 +226,9 @@ fn join(vector: &Vector, fields: &mut Vec<Field>) -> Result<()> {
     for k in 0..items {
         values.extend(fields[first..first + vector.components].iter().map(|f| f.values[k]));
     }
-    let kind = fields[first].kind;
+    // No other type holds what several do.
+    let same = fields[first..first + vector.components].iter().all(|f| f.kind == fields[first].kind);
+    let kind = if same { fields[first].kind } else { FieldType::F64 };
     fields.drain(first + 1..first + vector.components);
     fields[first] = Field { name: vector.name.clone(), kind, components: vector.components, values };
     Ok(())
@@ -265,7 +280,7 @@ fn read_ring(
 }
 
 /// The length of a list, which the bytes left must hold.
-fn length(t: FieldType, numbers: &mut Numbers) -> Result<usize> {
+fn length(t: Number, numbers: &mut Numbers) -> Result<usize> {
     let length = numbers.next(t)?;
     if length >= 0.0 && length <= numbers.left() as f64 && length.fract() == 0.0 {
         return Ok(length as usize);

@@ -81,7 +81,7 @@ impl<'a> Cursor<'a> {
             let mut values = try_with_capacity("values", count)?;
             for _ in 0..count {
                 let word = self.words.next();
-                values.push(self.words.parsed(word, "a number")?);
+                values.push(self.words.number_in(word, number)?);
             }
             return Ok(values);
         }

@@ -45,7 +45,7 @@ impl Data {
             b"FIELD" => {
                 for _ in 0..arrays(cursor)? {
                     let field = Array::head(cursor)?.read(cursor)?;
-                    self.push(field.filter(|f| f.values.len() == count * f.components));
+                    self.push(field.filter(|f| count.checked_mul(f.components) == Some(f.values.len())));
                 }
                 Ok(())
             }
@@ -87,7 +87,7 @@ impl Data {
     /// The fields, if there are as many items as the mesh has.
     pub fn finish(self, what: &str, items: usize) -> Result<Vec<Field>> {
         // A file may have several sections, each with a count of its own.
-        let wrong = self.fields.iter().find(|f| f.values.len() != items * f.components);
+        let wrong = self.fields.iter().find(|f| items.checked_mul(f.components) != Some(f.values.len()));
         match (self.count.filter(|count| *count != items), wrong) {
             (Some(count), _) => Err(Error::parse(format!("{what}: {count} items for {items}"))),
             (_, Some(f)) => {

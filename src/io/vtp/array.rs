@@ -66,7 +66,7 @@ impl<'a> Array<'a> {
         }
         document.decoded.set(document.decoded.get().saturating_add(bytes));
         match self.form(document)? {
-            Form::Text => self.numbers_of_text(document, count),
+            Form::Text => self.numbers_of_text(document, count, number),
             Form::Bytes(mut source) => {
                 let bytes = document.encoding.read(&mut source, Some(bytes)).map_err(|e| self.named(&e))?;
                 number.decode(&bytes, document.encoding.big_endian)
@@ -82,7 +82,12 @@ impl<'a> Array<'a> {
             }
             Form::Text => {
                 let count = self.body.split(u8::is_ascii_whitespace).filter(|w| !w.is_empty()).count();
-                self.numbers_of_text(document, count)?.into_iter().map(|x| x as u8).collect()
+                // VTK writes them as signed numbers.
+                let bytes = self.numbers_of_text(document, count, Number::I16)?;
+                if let Some(x) = bytes.iter().find(|x| !(-128.0..256.0).contains(*x)) {
+                    return Err(self.wrong(format_args!("{x} is not a byte of a string")));
+                }
+                bytes.into_iter().map(|x| x as i16 as u8).collect()
             }
         };
         let ended = bytes.strip_suffix(b"\0").unwrap_or(&bytes);
@@ -125,21 +130,22 @@ impl<'a> Array<'a> {
         })
     }
 
-    fn numbers_of_text(&self, document: &Document<'a>, count: usize) -> Result<Vec<f64>> {
+    fn numbers_of_text(&self, document: &Document<'a>, count: usize, number: Number) -> Result<Vec<f64>> {
         // Two characters a number are the least.
         let mut values = try_with_capacity("values", count.min(self.body.len() / 2 + 1))?;
         let mut words = Words::new(self.body);
         for _ in 0..count {
             let word = words.next();
-            match std::str::from_utf8(word).ok().and_then(|w| w.parse().ok()) {
+            match number.parsed(word) {
                 Some(x) => values.push(x),
                 None if word.is_empty() => {
                     let there = values.len();
                     return Err(self.at_word(document, &words, format_args!("{there} numbers, not {count}")));
                 }
                 None => {
-                    let word = shortened(&String::from_utf8_lossy(word));
-                    return Err(self.at_word(document, &words, format_args!("\"{word}\" is not a number")));
+                    let of = Number::F64.parsed(word).map(|_| format!(" of the type {}", number.name()));
+                    let (word, of) = (shortened(&String::from_utf8_lossy(word)), of.unwrap_or_default());
+                    return Err(self.at_word(document, &words, format_args!("\"{word}\" is not a number{of}")));
                 }
             }
         }
