@@ -341,7 +341,7 @@ fn elements_that_would_mix_up_data_are_refused() {
         .replace("element face", &format!("{strips}element face"));
     assert_eq!(read(file.as_bytes()).unwrap_err().status(), Status::Unsupported);
     let twice = cube().replace("end_header\n", "element face 1\nproperty list int int vertex_indices\nend_header\n");
-    assert_eq!(refused(twice.as_bytes()), "element face: it is there twice");
+    assert_eq!(refused(twice.as_bytes()), "line 9: element face: it is there twice");
     // A line feed as the first byte behind a header of CR alone is the first number's.
     let big = binary(&cube().replace("0 0 0\n", "8 0 0\n").replace("float", "double"), false);
     let split = big.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;

@@ -325,7 +325,7 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         (Status::Unsupported, "line 4: the dataset is STRUCTURED_POINTS, not POLYDATA")
     );
     let data = file("3.0", &[POINTS, OLD, "POINT_DATA 7\nSCALARS a int\n1 2 3 4 5 6 7\n"]);
-    assert_eq!(refused(data.as_bytes()), "POINT_DATA: 7 items for 8");
+    assert_eq!(refused(data.as_bytes()), "line 16: POINT_DATA: 7 items for 8");
     let new = file("5.1", &[POINTS, &NEW.replace("0 4 8 12", "0 4 3 12")]);
     assert!(refused(new.as_bytes()).contains("OFFSETS do not rise from 0"));
     for text in [file("3.0", &[POINTS, OLD]), file("5.1", &[POINTS, NEW])] {
@@ -341,11 +341,11 @@ fn files_that_are_wrong_are_refused_with_the_place() {
 #[test]
 fn sections_of_data_must_all_fit_and_strips_do_not_multiply_them_without_bound() {
     let none = "CELL_DATA 0\nSCALARS tag int 1\nLOOKUP_TABLE default\nCELL_DATA 6\nSCALARS u int 1\nLOOKUP_TABLE default\n1 2 3 4 5 6\n";
-    assert_eq!(refused(file("3.0", &[POINTS, OLD, none]).as_bytes()), "CELL_DATA: \"tag\" has 0 items for 6");
+    assert_eq!(refused(file("3.0", &[POINTS, OLD, none]).as_bytes()), "line 19: CELL_DATA: \"tag\" has 0 items for 6");
     let wide = |of: &str| format!("POINT_DATA {of}\nFIELD f 1\nu 4611686018427387904 0 int\n");
     let after = format!("POINT_DATA 8\nVECTORS n int\n{}\n", "1 ".repeat(24));
     let message = refused(file("3.0", &[POINTS, OLD, &wide("0"), &after]).as_bytes());
-    assert_eq!(message, "POINT_DATA: \"u\" has 0 items for 8");
+    assert_eq!(message, "line 19: POINT_DATA: \"u\" has 0 items for 8");
     assert!(read(file("3.0", &[POINTS, OLD, &wide("8")]).as_bytes()).unwrap().vertex_fields().is_empty());
     let strip = format!("TRIANGLE_STRIPS 1 20001\n20000 {}\n", "0 1 2 3 ".repeat(5000));
     let arrays: String = (0..400).map(|k| format!("a{k} 1 1 int\n{k}\n")).collect();

@@ -121,6 +121,35 @@ fn pieces_with_other_data_are_refused() {
 }
 
 #[test]
+fn arrays_may_not_read_the_same_bytes_again_and_again() {
+    let points: Vec<[f64; 3]> = (0..1000).map(|k| [f64::from(k), f64::from(k % 7), f64::from(k % 3)]).collect();
+    let point_data = vec![Array::new("p", "Float64", 1, &vec![1.0; 1000])];
+    for style in [Style::new(Form::AppendedRaw), Style::new(Form::AppendedBase64)] {
+        let piece = Piece {
+            points: points.clone(),
+            polys: vec![vec![0, 1, 2]],
+            point_data: point_data.clone(),
+            ..Piece::default()
+        };
+        let bytes = file(style, &[piece]);
+        let (begin, end) =
+            (position(&bytes, b"<DataArray type=\"Float64\" Name=\"p\""), position(&bytes, b"</PointData>"));
+        let tag = String::from_utf8(bytes[begin..end].to_vec()).unwrap();
+        let with = |count: usize| {
+            let copies: String = (0..count).map(|k| tag.replace("\"p\"", &format!("\"q{k}\""))).collect();
+            [&bytes[..begin], copies.as_bytes(), &bytes[begin..]].concat()
+        };
+        assert_eq!(mesh(&with(0)).vertex_fields().len(), 1);
+        let message = refused_with(&with(20), Status::Unsupported);
+        assert!(message.contains(": array \"q") && message.contains("\": data are shared: "), "{message}");
+    }
+}
+
+fn position(bytes: &[u8], part: &[u8]) -> usize {
+    bytes.windows(part.len()).position(|w| w == part).expect("it is there")
+}
+
+#[test]
 fn names_of_tags_must_fit_their_numbers() {
     let with = |from: &str, to: &str| {
         let mut vtp = Vtp::new(ASCII);

@@ -30,12 +30,19 @@ pub(super) struct Element {
     pub name: String,
     pub count: usize,
     pub properties: Vec<Property>,
+    /// Where it is declared.
+    pub line: usize,
 }
 
 impl Element {
     /// Whether the element goes by this name, in any case.
     pub fn is(&self, name: &str) -> bool {
         self.name.eq_ignore_ascii_case(name)
+    }
+
+    /// The error at its declaration.
+    pub fn wrong(&self, what: impl std::fmt::Display) -> Error {
+        Error::parse(format!("line {}: element {}: {what}", self.line, shown(&self.name)))
     }
 
     /// The fewest bytes that an item can take.
@@ -107,7 +114,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
             ["format", name, _] => encoding = Some(encoding_of(name).ok_or_else(unexpected)?),
             ["element", name, count] => {
                 let count = count.parse().map_err(|_| unexpected())?;
-                header.elements.push(Element { name: name.to_owned(), count, properties: Vec::new() });
+                header.elements.push(Element {
+                    name: name.to_owned(),
+                    count,
+                    properties: Vec::new(),
+                    line: lines.line,
+                });
             }
             ["property", "list", count, item, name] => {
                 let [count, item] = [count, item].map(type_of);

@@ -7,7 +7,7 @@ use crate::io::number::Number;
 use crate::io::words::Words;
 
 pub(super) enum Numbers<'a> {
-    Text(Words<'a>),
+    Text { words: Words<'a>, size: usize },
     Binary { bytes: &'a [u8], at: usize, big_endian: bool },
 }
 
@@ -15,7 +15,7 @@ impl<'a> Numbers<'a> {
     /// Those from `start` on; `line` is that of the last line before it.
     pub fn new(bytes: &'a [u8], start: usize, line: usize, encoding: Encoding) -> Numbers<'a> {
         match encoding {
-            Encoding::Ascii => Numbers::Text(Words::from_line(&bytes[start..], line + 1)),
+            Encoding::Ascii => Numbers::Text { words: Words::from_line(&bytes[start..], line + 1), size: bytes.len() },
             _ => Numbers::Binary { bytes, at: start, big_endian: encoding == Encoding::BigEndian },
         }
     }
@@ -23,15 +23,23 @@ impl<'a> Numbers<'a> {
     /// Bytes not read yet.
     pub fn left(&self) -> usize {
         match self {
-            Numbers::Text(words) => words.left(),
+            Numbers::Text { words, .. } => words.left(),
             Numbers::Binary { bytes, at, .. } => bytes.len() - at,
+        }
+    }
+
+    /// Bytes of the file.
+    pub fn size(&self) -> usize {
+        match self {
+            Numbers::Text { size, .. } => *size,
+            Numbers::Binary { bytes, .. } => bytes.len(),
         }
     }
 
     /// Where the last number was, for messages.
     pub fn place(&self) -> String {
         match self {
-            Numbers::Text(words) => format!("line {}", words.line()),
+            Numbers::Text { words, .. } => format!("line {}", words.line()),
             Numbers::Binary { at, .. } => format!("offset {at}"),
         }
     }
@@ -39,7 +47,7 @@ impl<'a> Numbers<'a> {
     /// The next number.
     pub fn next(&mut self, t: Number) -> Result<f64> {
         match self {
-            Numbers::Text(words) => {
+            Numbers::Text { words, .. } => {
                 let word = words.next();
                 words.number_in(word, t)
             }

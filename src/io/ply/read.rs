@@ -5,6 +5,7 @@ use super::header::{self, Element, Header, Property, Shape, Vector};
 use super::numbers::Numbers;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::io::number::Number;
+use crate::io::proportion::Demand;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
 
@@ -12,9 +13,10 @@ use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
 pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
     let header = header::read(bytes)?;
     check_elements(&header)?;
-    let vertices = header.elements.iter().find(|e| e.is("vertex")).map_or(0, |e| e.count);
-    if vertices >= u32::MAX as usize {
-        return Err(Error::parse(format!("element vertex: {vertices} are more than {}", u32::MAX - 1)));
+    let vertex = header.elements.iter().find(|e| e.is("vertex"));
+    let vertices = vertex.map_or(0, |e| e.count);
+    if let Some(element) = vertex.filter(|e| e.count >= u32::MAX as usize) {
+        return Err(element.wrong(format_args!("{vertices} are more than {}", u32::MAX - 1)));
     }
     let mut numbers = Numbers::new(bytes, header.end, header.lines, header.encoding);
     let mut input = Input::new(Vec::new(), Faces::with_capacity(0, 0)?, Status::Parse);
@@ -51,13 +53,14 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
 fn check_elements(header: &Header) -> Result<()> {
     let all = |name: &'static str| header.elements.iter().filter(move |e| e.is(name) && e.count > 0);
     for name in ["vertex", "face", "tristrips"] {
-        if all(name).count() > 1 {
-            return Err(Error::parse(format!("element {name}: it is there twice")));
+        if let Some(second) = all(name).nth(1) {
+            return Err(second.wrong("it is there twice"));
         }
     }
     let has_data = |e: &Element| e.properties.iter().any(|p| matches!(p.shape, Shape::Scalar(_)));
-    if all("tristrips").next().is_some() && all("face").any(has_data) {
-        return Err(Error::unsupported("element face: it has data, and the element tristrips beside it has none"));
+    if let (Some(_), Some(face)) = (all("tristrips").next(), all("face").find(|e| has_data(e))) {
+        let what = face.wrong("it has data, and the element tristrips beside it has none");
+        return Err(Error::unsupported(what.message()));
     }
     Ok(())
 }
@@ -82,7 +85,7 @@ fn read_vertices(element: &Element, numbers: &mut Numbers, input: &mut Input) ->
     let is = |p: &Property, name: &str| p.name.eq_ignore_ascii_case(name) && matches!(p.shape, Shape::Scalar(_));
     for axis in ["x", "y", "z"] {
         if !element.properties.iter().any(|p| is(p, axis)) {
-            return Err(Error::parse(format!("element vertex: it has no property {axis}")));
+            return Err(element.wrong(format_args!("it has no property {axis}")));
         }
     }
     enum Goes {
@@ -147,7 +150,7 @@ fn corners_of(element: &Element) -> Result<usize> {
         .properties
         .iter()
         .position(|p| named(p) && lists(p))
-        .ok_or_else(|| Error::parse(format!("element {}: it has no list of integers vertex_indices", element.name)))
+        .ok_or_else(|| element.wrong("it has no list of integers vertex_indices"))
 }
 
 fn read_faces(element: &Element, vertices: usize, numbers: &mut Numbers, input: &mut Input) -> Result<()> {
@@ -190,6 +193,7 @@ fn read_faces(element: &Element, vertices: usize, numbers: &mut Numbers, input: 
 /// The triangles of strips: each corner after the first two of a strip closes one, and -1 begins another strip.
 fn read_strips(element: &Element, vertices: usize, numbers: &mut Numbers, input: &mut Input) -> Result<()> {
     let corners = corners_of(element)?;
+    let size = numbers.size();
     let mut ring = Vec::new();
     for strip in 0..element.count {
         for (k, p) in element.properties.iter().enumerate() {
@@ -199,6 +203,8 @@ fn read_strips(element: &Element, vertices: usize, numbers: &mut Numbers, input:
                 skip(p, numbers)?;
             }
         }
+        let corners = input.faces.corners.len().saturating_add(ring.len().saturating_mul(3));
+        Demand { points: vertices, corners, ..Demand::default() }.check(size)?;
         for strip in ring.split(|v| *v < 0) {
             for (k, t) in strip.windows(3).enumerate() {
                 let (a, b) = if k % 2 == 0 { (t[0], t[1]) } else { (t[1], t[0]) };
@@ -264,6 +270,7 @@ fn read_ring(
     let Shape::List { count, item: t } = p.shape else { return Ok(()) };
     let length = length(count, numbers)?;
     ring.clear();
+    ring.try_reserve(length).map_err(|_| Error::memory("corners", length))?;
     for _ in 0..length {
         let index = numbers.next(t)?;
         let known = index >= 0.0 && index < vertices as f64 && index.fract() == 0.0;
@@ -273,7 +280,6 @@ fn read_ring(
                 numbers.place()
             )));
         }
-        ring.try_reserve(1).map_err(|_| Error::memory("corners", ring.len()))?;
         ring.push(index as i64);
     }
     Ok(())

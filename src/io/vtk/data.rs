@@ -13,12 +13,15 @@ pub(super) struct Data {
     fields: Vec<Field>,
     /// What the file says that there are of points or cells.
     count: Option<usize>,
+    /// Where the file last spoke of them.
+    place: String,
 }
 
 impl Data {
     /// Reads what a keyword begins.
     pub fn read(&mut self, word: &[u8], count: usize, cursor: &mut Cursor) -> Result<()> {
         self.count = Some(count);
+        self.place = cursor.place();
         match word {
             b"SCALARS" => self.scalars(count, cursor),
             b"COLOR_SCALARS" => {
@@ -84,15 +87,20 @@ impl Data {
         self.fields.extend(field.filter(fresh));
     }
 
+    /// Numbers an item, of all fields.
+    pub fn components(&self) -> usize {
+        self.fields.iter().fold(0, |sum: usize, f| sum.saturating_add(f.components))
+    }
+
     /// The fields, if there are as many items as the mesh has.
     pub fn finish(self, what: &str, items: usize) -> Result<Vec<Field>> {
         // A file may have several sections, each with a count of its own.
         let wrong = self.fields.iter().find(|f| items.checked_mul(f.components) != Some(f.values.len()));
         match (self.count.filter(|count| *count != items), wrong) {
-            (Some(count), _) => Err(Error::parse(format!("{what}: {count} items for {items}"))),
+            (Some(count), _) => Err(Error::parse(format!("{}: {what}: {count} items for {items}", self.place))),
             (_, Some(f)) => {
                 let count = f.values.len() / f.components;
-                Err(Error::parse(format!("{what}: \"{}\" has {count} items for {items}", f.name)))
+                Err(Error::parse(format!("{}: {what}: \"{}\" has {count} items for {items}", self.place, f.name)))
             }
             _ => Ok(self.fields),
         }

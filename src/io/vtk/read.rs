@@ -5,6 +5,7 @@ use super::cursor::{Cursor, type_of};
 use super::data::Data;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::io::number::Number;
+use crate::io::proportion::Demand;
 use crate::io::vtp::cells::Cells;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Input, LARGEST_COORDINATE};
@@ -207,6 +208,10 @@ impl<'a> File<'a> {
     fn finish(self, size: usize) -> Result<Input> {
         let (points, cells) = (self.points.len(), self.other_cells + self.polygons.count() + self.strips.count());
         let end = self.cursor.place();
+        let triangles: usize = self.strips.strip_lengths().sum();
+        let data = self.of_cells.components().saturating_mul(triangles);
+        let corners = self.polygons.corners.len() + 3 * triangles;
+        Demand { points, corners, vertex_values: 0, face_values: data }.check(size)?;
         let mut faces = Faces::with_capacity(self.polygons.count(), self.polygons.corners.len())?;
         let mut number = 0;
         self.polygons.add_polygons(&mut faces, &mut number)?;
@@ -229,11 +234,6 @@ impl<'a> File<'a> {
             let tags = of_cells.remove(at);
             input.tags = try_with_capacity("tags", cell_of.len())?;
             input.tags.extend(cell_of.iter().map(|c| tags.values[*c as usize] as i32));
-        }
-        // A strip's data are those of each of its triangles: many data of a long strip would be more than the file.
-        let values = of_cells.iter().map(|f| f.components).sum::<usize>().saturating_mul(cell_of.len());
-        if values > 2 * size + (1 << 20) {
-            return Err(Error::unsupported(format!("CELL_DATA: {values} values for the triangles of strips")));
         }
         for field in of_cells {
             input.face_data.push(field.gathered(cell_of.iter().copied())?);

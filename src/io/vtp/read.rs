@@ -5,6 +5,7 @@ use super::cells::{Cells, ends};
 use super::document::{Document, Section};
 use super::fields::Fields;
 use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::io::proportion::Demand;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
 
@@ -38,6 +39,7 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
         }
     }
     input.tag_names = tag_names(&document)?;
+    Demand::of(&input).check(document.size())?;
     Ok(input)
 }
 
@@ -78,6 +80,10 @@ impl Surface {
         if total >= u32::MAX as usize {
             return Err(Error::unsupported(format!("faces: {total} are more than {}", u32::MAX - 1)));
         }
+        let corners = [polys.corners.len(), triangles.saturating_mul(3)]
+            .iter()
+            .fold(self.faces.corners.len(), |sum, n| sum.saturating_add(*n));
+        Demand { points: self.positions.len(), corners, ..Demand::default() }.check(document.size())?;
         self.numbers += (verts + lines) as u32;
         strips.add_strips(&mut self.faces, &mut self.numbers)?;
         polys.add_polygons(&mut self.faces, &mut self.numbers)?;
