@@ -880,7 +880,8 @@ emb_status emb_mesh_options_init(emb_mesh_options *options, size_t size);
 // is the caller's, to be freed with emb_mesh_free.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_IO, EMB_ERROR_PARSE (truncated, empty,
 // coordinates that are not finite; the message names the offset or the line), EMB_ERROR_UNSUPPORTED (another kind of
-// VTK data), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
+// VTK data; what would take more than 20 bytes of memory for each of the file, decompressed, and 16 MB),
+// EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
 emb_status emb_mesh_read(const char *path,
                          const emb_mesh_options *options,
                          const emb_run *run,
