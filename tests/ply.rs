@@ -275,6 +275,7 @@ fn files_that_are_wrong_are_refused_with_the_place() {
     let file = cube();
     for (from, to, wanted) in [
         ("format ascii 1.0\n", "", "no format was named"),
+        ("format ascii 1.0\n", "format ascii 1.0\nformat ascii 1.0\n", "line 3: \"format ascii 1.0\" is no line"),
         ("format ascii", "format morse", "\"format morse 1.0\" is no line of a PLY header"),
         ("property float x", "property quad x", "line 4: \"property quad x\""),
         ("property float y", "property float x", "line 5: the property \"x\" is there already"),
@@ -304,6 +305,8 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         let file = file.replace("list uchar", "list int").replace("4 4 5 6 7", &format!("{count} 4 5 6 7"));
         assert!(refused(file.as_bytes()).contains(wanted));
     }
+    let other = io::read_memory(file.replacen("ply", "plx", 1).as_bytes(), Format::Ply, &MeshOptions::default());
+    assert_eq!(other.unwrap_err().message(), "line 1: \"plx\" is not \"ply\"");
     assert!(refused(b"ply\n").contains("the file ends within the PLY header"));
     // A cut after which nothing is missing: white space at the end.
     for length in 4..file.trim_end().len() - 1 {

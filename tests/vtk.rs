@@ -309,6 +309,7 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         ("1 1 0 ", "1 nan 0 ", "the coordinate NaN of point 2 is not finite"),
         ("1 1 0 ", "1 one 0 ", "\"one\" is not a number"),
         ("POLYGONS 6 30", "POLYGONS 6 29", "cell 5 has 4 corners, and 29 numbers hold all"),
+        ("POLYGONS 6 30", "POLYGONS 5 30", "5 cells have 25 of 30 numbers"),
         ("POLYGONS 6 30", "POLYGONS 40 30", "30 numbers cannot hold 40 cells"),
         ("4 4 5 6 7", "4 4 5 6 8", "the index 8 of cell 1 is not one of 8 points"),
         ("4 4 5 6 7", "4 4 5 6 -1", "the index -1 of cell 1"),
@@ -327,7 +328,9 @@ fn files_that_are_wrong_are_refused_with_the_place() {
     let data = file("3.0", &[POINTS, OLD, "POINT_DATA 7\nSCALARS a int\n1 2 3 4 5 6 7\n"]);
     assert_eq!(refused(data.as_bytes()), "line 16: POINT_DATA: 7 items for 8");
     let new = file("5.1", &[POINTS, &NEW.replace("0 4 8 12", "0 4 3 12")]);
-    assert!(refused(new.as_bytes()).contains("OFFSETS do not rise from 0"));
+    assert!(refused(new.as_bytes()).contains("OFFSETS do not rise from 0 to 24"));
+    let few = file("5.1", &[POINTS, &NEW.replace("16 20 24", "16 20 23")]);
+    assert!(refused(few.as_bytes()).contains("OFFSETS do not rise from 0 to 24"));
     for text in [file("3.0", &[POINTS, OLD]), file("5.1", &[POINTS, NEW])] {
         for bytes in [text.trim_end().as_bytes().to_vec(), binary(&text)] {
             // Only a cut within the last number may go unseen.

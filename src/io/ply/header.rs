@@ -99,7 +99,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
         names: BTreeSet::new(),
     };
     let mut encoding = None;
-    lines.next()?;
+    let first = lines.next()?;
+    if !first.trim_start_matches('\u{feff}').trim().eq_ignore_ascii_case("ply") {
+        return Err(Error::parse(format!("line 1: \"{}\" is not \"ply\"", shown(&first))));
+    }
     loop {
         let text = lines.next()?;
         let words: Vec<&str> = text.split_ascii_whitespace().collect();
@@ -111,7 +114,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
                 header.tag_names.extend(tag_name(&text));
                 header.vectors.extend(vector(&text));
             }
-            ["format", name, _] => encoding = Some(encoding_of(name).ok_or_else(unexpected)?),
+            ["format", name, _] if encoding.is_none() => encoding = Some(encoding_of(name).ok_or_else(unexpected)?),
             ["element", name, count] => {
                 let count = count.parse().map_err(|_| unexpected())?;
                 header.elements.push(Element {

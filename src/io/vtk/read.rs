@@ -155,9 +155,9 @@ impl<'a> File<'a> {
         let corners = self.cursor.numbers(second, number)?;
         self.cursor.skip_metadata(1)?;
         let rises = offsets.windows(2).all(|w| w[0] <= w[1]);
-        let ends = offsets.first().is_none_or(|x| *x == 0.0) && offsets.last().is_none_or(|x| *x <= second as f64);
+        let ends = offsets.first().is_none_or(|x| *x == 0.0) && *offsets.last().unwrap_or(&0.0) == second as f64;
         if !rises || !ends {
-            return Err(self.cursor.wrong(format_args!("OFFSETS do not rise from 0 to at most {second}")));
+            return Err(self.cursor.wrong(format_args!("OFFSETS do not rise from 0 to {second}")));
         }
         let mut found = try_with_capacity("cells", offsets.len())?;
         found.extend(offsets.iter().skip(1).map(|x| *x as usize));
@@ -184,6 +184,9 @@ impl<'a> File<'a> {
             values.copy_within(at + 1..at + 1 + length, end);
             (at, end) = (at + 1 + length, end + length);
             ends.push(end);
+        }
+        if at < size {
+            return Err(self.cursor.wrong(format_args!("{count} cells have {at} of {size} numbers")));
         }
         values.truncate(end);
         Ok((ends, values))
