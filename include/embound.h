@@ -887,7 +887,8 @@ emb_status emb_mesh_options_init(emb_mesh_options *options, size_t size);
 // is the caller's, to be freed with emb_mesh_free.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_IO, EMB_ERROR_PARSE (truncated, empty,
 // coordinates that are not finite; the message names the offset or the line), EMB_ERROR_UNSUPPORTED (another kind of
-// VTK data), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
+// VTK data; what would take more than 20 bytes of memory for each of the file, decompressed, and 16 MB),
+// EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
 emb_status emb_mesh_read(const char *path,
                          const emb_mesh_options *options,
                          const emb_run *run,
@@ -1077,8 +1078,8 @@ emb_status emb_mesh_tag_name(const emb_mesh *mesh,
 
 // The mesh with other tags: one number for each input face (emb_mesh_face_count of them), and `name_count` names, each
 // for the tag at the same place of `named_tags`. Cost: linear; the mesh is copied.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8 or not one line; a tag
-// named twice), EMB_ERROR_MEMORY.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8, not one line or has
+// white space around it; a tag named twice), EMB_ERROR_MEMORY.
 emb_status emb_mesh_with_tags(const emb_mesh *mesh,
                               const int32_t *tags,
                               size_t name_count,
@@ -1113,7 +1114,7 @@ emb_status emb_mesh_field_values(const emb_mesh *mesh,
 // The mesh with one more named field, or another in the place of one of the same name: `components` numbers for each
 // vertex as it stands (emb_mesh_vertex_count of them) or for each input face (emb_mesh_face_count). Cost: linear; the
 // mesh is copied. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, components 0, a name that is empty,
-// not UTF-8 or not one line), EMB_ERROR_MEMORY.
+// not UTF-8, not one line or has white space around it), EMB_ERROR_MEMORY.
 emb_status emb_mesh_with_field(const emb_mesh *mesh,
                                int32_t on,
                                const char *name,

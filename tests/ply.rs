@@ -46,6 +46,7 @@ fn binary(text: &str, big: bool) -> Vec<u8> {
             "char" | "uchar" | "int8" | "uint8" => vec![word.parse::<i16>().unwrap() as u8],
             "short" | "ushort" | "int16" | "uint16" => (word.parse::<i32>().unwrap() as u16).to_le_bytes().to_vec(),
             "int" | "uint" | "int32" | "uint32" => (word.parse::<i64>().unwrap() as u32).to_le_bytes().to_vec(),
+            "uint64" => word.parse::<u64>().unwrap().to_le_bytes().to_vec(),
             "float" | "float32" => word.parse::<f32>().unwrap().to_le_bytes().to_vec(),
             _ => word.parse::<f64>().unwrap().to_le_bytes().to_vec(),
         };
@@ -142,6 +143,52 @@ fn every_encoding_has_the_same_content() {
     }
 }
 
+/// Six values of each type, in the data of faces.
+fn with_values(kinds: &[&str], values: [&str; 6]) -> String {
+    let properties: String = kinds.iter().enumerate().map(|(k, kind)| format!("property {kind} p{k}\n")).collect();
+    let sides: String =
+        SIDES.lines().zip(values).map(|(side, x)| format!("{side}{}\n", format!(" {x}").repeat(kinds.len()))).collect();
+    text(&[HEAD, &FACE.replace("end_header\n", &(properties + "end_header\n")), CORNERS, &sides])
+}
+
+#[test]
+fn numbers_of_a_text_are_rounded_as_the_bytes_of_their_type() {
+    let file = with_values(&["float", "double"], ["0.1", "-1e-40", "16777217", "nan", "-inf", "1e-60"]);
+    let mesh = read(file.as_bytes()).unwrap();
+    let [single, double] = mesh.face_fields() else { panic!("two fields") };
+    assert_eq!((single.kind, double.kind), (FieldType::F32, FieldType::F64));
+    assert_eq!(single.values[..3], [f64::from(0.1f32), f64::from(-1e-40f32), 16_777_216.0]);
+    assert_eq!(double.values[..3], [0.1, -1e-40, 16_777_217.0]);
+    assert!(single.values[3].is_nan() && single.values[4..] == [f64::NEG_INFINITY, 0.0]);
+    let coordinates = file.replace("1 1 0\n", "1.1 1.1 0.3\n");
+    for big in [false, true] {
+        let wanted = described(&read(&binary(&coordinates.replace("nan", "0"), big)).unwrap());
+        assert_eq!(described(&read(coordinates.replace("nan", "0").as_bytes()).unwrap()), wanted);
+    }
+    for (kind, value) in
+        [("char", "128"), ("uchar", "-1"), ("short", "40000"), ("ushort", "0.5"), ("int", "3e9"), ("uint", "nan")]
+    {
+        let message = refused(with_values(&[kind], ["1", "2", "3", value, "5", "6"]).as_bytes());
+        assert!(message.starts_with(&format!("line 22: \"{value}\" is not a number of the type ")), "{message}");
+    }
+}
+
+#[test]
+fn unsigned_integers_of_64_bits_never_become_negative() {
+    let head = "element face 6\nproperty list uchar int vertex_indices\nproperty uint64 id\nend_header\n";
+    for (largest, kind) in [(u64::MAX, FieldType::F64), (1 << 63, FieldType::F64), (1 << 62, FieldType::I64)] {
+        let sides: String = SIDES.lines().map(|side| format!("{side} {largest}\n")).collect();
+        let text = text(&[HEAD, head, CORNERS, &sides]);
+        let files = [text.clone().into_bytes(), binary(&text, false), binary(&text, true)];
+        for bytes in files {
+            let mesh = read(&bytes).unwrap();
+            assert_eq!((mesh.face_fields()[0].kind, mesh.face_fields()[0].values[5]), (kind, largest as f64));
+        }
+    }
+    let negative = text(&[HEAD, head, CORNERS, &SIDES.replace('\n', " -1\n")]);
+    assert_eq!(refused(negative.as_bytes()), "line 19: \"-1\" is not a number of the type UInt64");
+}
+
 #[test]
 fn strips_are_cut_into_triangles_that_agree() {
     // The sides of a cube as one strip around, and its ends as two more in the same list.
@@ -228,6 +275,7 @@ fn files_that_are_wrong_are_refused_with_the_place() {
     let file = cube();
     for (from, to, wanted) in [
         ("format ascii 1.0\n", "", "no format was named"),
+        ("format ascii 1.0\n", "format ascii 1.0\nformat ascii 1.0\n", "line 3: \"format ascii 1.0\" is no line"),
         ("format ascii", "format morse", "\"format morse 1.0\" is no line of a PLY header"),
         ("property float x", "property quad x", "line 4: \"property quad x\""),
         ("property float y", "property float x", "line 5: the property \"x\" is there already"),
@@ -240,8 +288,9 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         ("element face 6", "element face 18446744073709551615", "cannot hold"),
         ("4 4 5 6 7", "4 4 5 6 8", "line 19: the index 8 of face 1 does not count one of 8 vertices"),
         ("4 4 5 6 7", "4 4 5 6 -7", "the index -7 of face 1"),
-        ("4 4 5 6 7", "-4 4 5 6 7", "cannot hold a list of -4"),
-        ("4 4 5 6 7", "4000000 4 5 6 7", "cannot hold a list of 4000000"),
+        ("4 4 5 6 7", "-4 4 5 6 7", "line 19: \"-4\" is not a number of the type UInt8"),
+        ("4 4 5 6 7", "4 4 5.5 6 7", "line 19: \"5.5\" is not a number of the type Int32"),
+        ("1 1 0\n", "1 1e39 0\n", "line 12: \"1e39\" is not a number of the type Float32"),
         ("1 1 0\n", "1 nan 0\n", "line 12: the coordinate NaN of vertex 2 is not finite"),
         ("1 1 0\n", "1 inf 0\n", "the coordinate inf"),
         ("1 1 0\n", "1 one 0\n", "line 12: \"one\" is not a number"),
@@ -252,6 +301,12 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         let message = refused(file.replacen(from, to, 1).as_bytes());
         assert!(message.contains(wanted), "{from} -> {to}: {message}");
     }
+    for (count, wanted) in [("-4", "cannot hold a list of -4"), ("4000000", "cannot hold a list of 4000000")] {
+        let file = file.replace("list uchar", "list int").replace("4 4 5 6 7", &format!("{count} 4 5 6 7"));
+        assert!(refused(file.as_bytes()).contains(wanted));
+    }
+    let other = io::read_memory(file.replacen("ply", "plx", 1).as_bytes(), Format::Ply, &MeshOptions::default());
+    assert_eq!(other.unwrap_err().message(), "line 1: \"plx\" is not \"ply\"");
     assert!(refused(b"ply\n").contains("the file ends within the PLY header"));
     // A cut after which nothing is missing: white space at the end.
     for length in 4..file.trim_end().len() - 1 {
@@ -289,7 +344,7 @@ fn elements_that_would_mix_up_data_are_refused() {
         .replace("element face", &format!("{strips}element face"));
     assert_eq!(read(file.as_bytes()).unwrap_err().status(), Status::Unsupported);
     let twice = cube().replace("end_header\n", "element face 1\nproperty list int int vertex_indices\nend_header\n");
-    assert_eq!(refused(twice.as_bytes()), "element face: it is there twice");
+    assert_eq!(refused(twice.as_bytes()), "line 9: element face: it is there twice");
     // A line feed as the first byte behind a header of CR alone is the first number's.
     let big = binary(&cube().replace("0 0 0\n", "8 0 0\n").replace("float", "double"), false);
     let split = big.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;

@@ -94,8 +94,8 @@ pub unsafe extern "C" fn emb_mesh_tag_name(
 
 /// The mesh with other tags: one number for each input face (emb_mesh_face_count of them), and `name_count` names, each
 /// for the tag at the same place of `named_tags`. Cost: linear; the mesh is copied.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8 or not one line; a tag
-/// named twice), EMB_ERROR_MEMORY.
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8, not one line or has
+/// white space around it; a tag named twice), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_with_tags(
     mesh: *const emb_mesh,
@@ -185,7 +185,7 @@ pub unsafe extern "C" fn emb_mesh_field_values(
 /// The mesh with one more named field, or another in the place of one of the same name: `components` numbers for each
 /// vertex as it stands (emb_mesh_vertex_count of them) or for each input face (emb_mesh_face_count). Cost: linear; the
 /// mesh is copied. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, components 0, a name that is empty,
-/// not UTF-8 or not one line), EMB_ERROR_MEMORY.
+/// not UTF-8, not one line or has white space around it), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_with_field(
     mesh: *const emb_mesh,

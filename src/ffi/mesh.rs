@@ -188,7 +188,8 @@ pub unsafe extern "C" fn emb_mesh_options_init(options: *mut emb_mesh_options, s
 /// is the caller's, to be freed with emb_mesh_free.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_IO, EMB_ERROR_PARSE (truncated, empty,
 /// coordinates that are not finite; the message names the offset or the line), EMB_ERROR_UNSUPPORTED (another kind of
-/// VTK data), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
+/// VTK data; what would take more than 20 bytes of memory for each of the file, decompressed, and 16 MB),
+/// EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: linear in the size of the file.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_read(
     path: *const c_char,

@@ -7,6 +7,7 @@ mod grid;
 mod number;
 mod obj;
 mod ply;
+mod proportion;
 mod stl;
 mod text;
 mod vtk;
@@ -17,6 +18,7 @@ pub use grid::{GridField, write_grid};
 
 use crate::error::{Error, Result};
 use crate::mesh::{Input, JoinTags, Mesh, MeshOptions, build, join};
+use proportion::Demand;
 use std::path::Path;
 
 /// A file format of meshes.
@@ -61,7 +63,7 @@ pub fn read_files(paths: &[&Path], format: Format, tags: JoinTags, options: &Mes
     let mut inputs = Vec::new();
     for path in paths {
         let mut input = read_input(path, format)?;
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let stem = text::one_line(&path.file_stem().unwrap_or_default().to_string_lossy());
         if tags == JoinTags::ByMesh {
             input.tag_names = vec![(0, stem)];
         } else if tags == JoinTags::Renumber && input.tag_names.is_empty() && input.tags.is_empty() {
@@ -86,7 +88,9 @@ fn named(path: &Path, e: &Error) -> Error {
 /// # Errors
 /// [`Status::Parse`](crate::Status) naming the line (ASCII) or the offset (binary) and the value: an empty
 /// file, no triangle, an end within a triangle, a coordinate that is not a finite number, anything else that
-/// the format does not have. [`Status::InvalidArgument`](crate::Status) naming an option out of its range.
+/// the format does not have. [`Status::Unsupported`](crate::Status): what would take more than 20 bytes of memory for
+/// each of the file, decompressed, and 16 MB. [`Status::InvalidArgument`](crate::Status) naming an option out of its
+/// range.
 pub fn read_memory(bytes: &[u8], format: Format, options: &MeshOptions) -> Result<Mesh> {
     options.check()?;
     build(parse(bytes, format)?, options)
@@ -97,13 +101,16 @@ fn parse(bytes: &[u8], format: Format) -> Result<Input> {
     if bytes.is_empty() {
         return Err(Error::parse("offset 0: the file is empty"));
     }
-    match if format == Format::Detect { detect::format(bytes)? } else { format } {
-        Format::Detect | Format::Stl => stl::read(bytes),
-        Format::Ply => ply::read(bytes),
-        Format::Obj => obj::read(bytes),
-        Format::Vtk => vtk::read(bytes),
-        Format::Vtp => vtp::read(bytes),
-    }
+    let input = match if format == Format::Detect { detect::format(bytes)? } else { format } {
+        Format::Detect | Format::Stl => stl::read(bytes)?,
+        Format::Ply => ply::read(bytes)?,
+        Format::Obj => obj::read(bytes)?,
+        Format::Vtk => vtk::read(bytes)?,
+        // It may be compressed, and has checked what it holds.
+        Format::Vtp => return vtp::read(bytes),
+    };
+    Demand::of(&input).check(bytes.len())?;
+    Ok(input)
 }
 
 /// Writes the surface as it stands, in the format that the extension names, in any case. The file appears under

@@ -52,6 +52,30 @@ impl Number {
         }
     }
 
+    /// The number that a word is, rounded as the bytes of this type would be; none where the type has no such number.
+    pub fn parsed(self, word: &[u8]) -> Option<f64> {
+        let text = std::str::from_utf8(word).ok()?;
+        let x = if self == Number::F32 { f64::from(text.parse::<f32>().ok()?) } else { text.parse().ok()? };
+        let fits = match self {
+            // A number too large becomes infinite, and is not the infinity that is spelt.
+            Number::F32 | Number::F64 => !x.is_infinite() || text.contains(['i', 'I']),
+            Number::I8 => f64::from(x as i8) == x,
+            Number::U8 => f64::from(x as u8) == x,
+            Number::I16 => f64::from(x as i16) == x,
+            Number::U16 => f64::from(x as u16) == x,
+            Number::I32 => f64::from(x as i32) == x,
+            Number::U32 => f64::from(x as u32) == x,
+            Number::I64 => (x as i64) as f64 == x,
+            Number::U64 => (x as u64) as f64 == x,
+        };
+        fits.then_some(x)
+    }
+
+    /// Whether it has whole numbers alone.
+    pub fn is_integer(self) -> bool {
+        !matches!(self, Number::F32 | Number::F64)
+    }
+
     /// The numbers that bytes are; what is left over at the end is none.
     pub fn decode(self, bytes: &[u8], big_endian: bool) -> Result<Vec<f64>> {
         let mut values = try_with_capacity("values", bytes.len() / self.size())?;

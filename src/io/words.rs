@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Text formats word by word: any white space, LF, CRLF or CR, and the line for the message.
 
+use super::number::Number;
+use super::text::one_line;
 use crate::error::{Error, Result};
 use crate::math::Vec3;
 use crate::mesh::LARGEST_COORDINATE;
@@ -103,7 +105,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// What is left of the line, without white space around it; not UTF-8 becomes U+FFFD.
+    /// What is left of the line, without white space around it and control characters; not UTF-8 becomes U+FFFD.
     pub fn rest_of_line(&mut self) -> String {
         let start = self.at;
         while let Some(&b) = self.bytes.get(self.at)
@@ -112,7 +114,7 @@ impl<'a> Words<'a> {
         {
             self.at += 1;
         }
-        String::from_utf8_lossy(&self.bytes[start..self.at]).trim().to_owned()
+        one_line(&String::from_utf8_lossy(&self.bytes[start..self.at]))
     }
 
     /// Steps over white space. CRLF counts once.
@@ -146,6 +148,14 @@ impl<'a> Words<'a> {
     pub fn parsed<T: FromStr>(&self, word: &[u8], wanted: &str) -> Result<T> {
         let value = std::str::from_utf8(word).ok().and_then(|w| w.parse().ok());
         value.ok_or_else(|| self.unexpected(word, wanted))
+    }
+
+    /// The number of a type that a word is.
+    pub fn number_in(&self, word: &[u8], number: Number) -> Result<f64> {
+        number.parsed(word).ok_or_else(|| match Number::F64.parsed(word) {
+            Some(_) => self.unexpected(word, &format!("a number of the type {}", number.name())),
+            None => self.unexpected(word, "a number"),
+        })
     }
 
     /// Nothing where the word is the wanted one, in any case.

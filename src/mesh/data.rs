@@ -16,7 +16,8 @@ pub enum FieldType {
     U16,
     I32,
     U32,
-    /// 64-bit integers beyond 2^53 lose their last digits.
+    /// 64-bit integers beyond 2^53 lose their last digits. Unsigned ones that this type does not hold are read as
+    /// [`FieldType::F64`].
     I64,
     F32,
     #[default]
@@ -26,7 +27,7 @@ pub enum FieldType {
 /// Named numbers, `components` to a vertex or a face.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Field {
-    /// Its name; one line, not empty.
+    /// Its name; one line, not empty, without white space around it.
     pub name: String,
     /// The type of its values outside.
     pub kind: FieldType,
@@ -190,8 +191,8 @@ impl Mesh {
     /// item for each vertex as it stands, or for each input face.
     ///
     /// # Errors
-    /// [`Status::InvalidArgument`](crate::Status): a name that is empty or not one line, a count that is not
-    /// that of the vertices or faces. [`Status::Memory`](crate::Status).
+    /// [`Status::InvalidArgument`](crate::Status): a name that is empty, not one line or has white space around it, a
+    /// count that is not that of the vertices or faces. [`Status::Memory`](crate::Status).
     pub fn with_field(&self, on_faces: bool, mut field: Field) -> Result<Mesh> {
         let items = if on_faces { self.face_count } else { self.vertices.len() };
         check_field(&field, items)?;
@@ -214,11 +215,14 @@ impl Mesh {
     /// The mesh with other tags, one for each input face, and their names, in any order.
     ///
     /// # Errors
-    /// [`Status::InvalidArgument`](crate::Status): a count that is not that of the faces, a tag named twice.
-    /// [`Status::Memory`](crate::Status).
+    /// [`Status::InvalidArgument`](crate::Status): a count that is not that of the faces, a tag named twice, a name
+    /// that is empty, not one line or has white space around it. [`Status::Memory`](crate::Status).
     pub fn with_tags(&self, tags: &[i32], mut names: Vec<(i32, String)>) -> Result<Mesh> {
         if tags.len() != self.face_count {
             return Err(Error::invalid(format!("tags: {} values for {} faces", tags.len(), self.face_count)));
+        }
+        if let Some((tag, name)) = names.iter().find(|(_, name)| !is_name(name)) {
+            return Err(Error::invalid(format!("names: {name:?} of tag {tag} {NO_NAME}")));
         }
         names.sort();
         if let Some(w) = names.windows(2).find(|w| w[0].0 == w[1].0) {
@@ -250,10 +254,17 @@ impl Mesh {
     }
 }
 
+/// What every format can give back: a line without white space around it.
+fn is_name(name: &str) -> bool {
+    !name.is_empty() && name.trim() == name && !name.chars().any(char::is_control)
+}
+
+const NO_NAME: &str = "is empty, not one line or has white space around it";
+
 /// Checks the name and the size of a field that a caller gives.
 fn check_field(Field { name, components, values, .. }: &Field, items: usize) -> Result<()> {
-    if name.is_empty() || name.chars().any(char::is_control) {
-        return Err(Error::invalid(format!("name: \"{name}\" is empty or not one line")));
+    if !is_name(name) {
+        return Err(Error::invalid(format!("name: {name:?} {NO_NAME}")));
     }
     if *components == 0 || items.checked_mul(*components) != Some(values.len()) {
         return Err(Error::invalid(format!("values: {} are not {components} for each of {items} items", values.len())));

@@ -39,6 +39,12 @@ static void tags_are_told_with_their_names(void) {
   CHECK(strcmp(name, "nowhere") == 0);
   CHECK_OK(emb_mesh_tag_name(mesh, 3, sizeof name, name, &count));
   CHECK(strcmp(name, "") == 0 && count == 1);
+  {
+    static const char *const spaced[3] = {"outlet", "wall ", "nowhere"};
+    emb_mesh *none = NULL;
+    CHECK_STATUS(emb_mesh_with_tags(plain, tags, 3, named, spaced, &none), EMB_ERROR_INVALID_ARGUMENT);
+    CHECK(none == NULL && strstr(emb_last_error(), "\"wall \" of tag -2") != NULL);
+  }
   /* the mesh that it was made of has what it had */
   CHECK_OK(emb_mesh_face_tags(plain, 0, 5, all));
   CHECK(all[0] == 0 && all[3] == 0);

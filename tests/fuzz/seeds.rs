@@ -91,7 +91,9 @@ const VTK_5: &str = "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nFIE
     tag_names 1 1 string\na\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nMETADATA\nINFORMATION 0\n\nVERTICES 2 1\nOFFSETS \
     vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n0\nTRIANGLE_STRIPS 2 6\nOFFSETS vtktypeint64\n0 6\nCONNECTIVITY \
     vtktypeint64\n0 1 2 3 0 1\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 2 1\n\
-    CELL_DATA 3\nSCALARS tag int 1\nLOOKUP_TABLE default\n1 2 3\nPOINT_DATA 4\nVECTORS v float\n0 0 0 1 1 1 2 2 2 3 3 3\n";
+    CELL_DATA 3\nSCALARS tag int 1\nLOOKUP_TABLE default\n1 2 3\nPOINT_DATA 4\nVECTORS v float\n0 0 0 1 1 1 2 2 2 3 3 3\n\
+    METADATA\nCOMPONENT_NAMES\nx\n\nz\nINFORMATION 2\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0.5 9.1\n\
+    NAME NAMES LOCATION vtkAbstractArray\nDATA 2\na%20b\nc\n\nFIELD FieldData 1\nINFORMATION 1 4 double\n1 2 3 4\n";
 
 fn vtk_text(soup: &Soup) -> Vec<u8> {
     let mut text = String::from("# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\n");
@@ -123,7 +125,13 @@ fn vtk_binary(soup: &Soup, offsets: bool) -> Vec<u8> {
     }
     out.extend(format!("\nCELL_DATA {faces}\nSCALARS tag int 1\nLOOKUP_TABLE default\n").bytes());
     (0..faces as i32).for_each(|f| out.extend(f.to_be_bytes()));
-    out.push(b'\n');
+    out.extend(
+        format!("\nMETADATA\nCOMPONENT_NAMES\nthe%20tag\n\nFIELD FieldData 2\nwords 1 {faces} string\n").bytes(),
+    );
+    (0..faces).for_each(|_| out.extend(b"\xc4name"));
+    out.extend(format!("\nheat 1 {faces} unsigned_char\n").bytes());
+    out.extend((0..faces).map(|f| f as u8));
+    out.extend(b"\nMETADATA\nCOMPONENT_NAMES\n\nINFORMATION 1\nNAME UNITS_LABEL LOCATION vtkDataArray\nDATA K\n\n");
     out
 }
 
@@ -158,7 +166,83 @@ pub fn large() -> Vec<(&'static str, crate::Format, Vec<u8>)> {
         ("vtp", Vtp, file(Style::new(Form::AppendedRaw), &[Piece::of(&soup)])),
         ("zlib", Vtp, file(Style { block: 32768, ..Style::new(Form::AppendedRaw) }, &[Piece::of(&soup)])),
         ("few points", Vtp, few_points(1 << 21)),
+        (
+            "ply strip",
+            Ply,
+            ply_of_bytes("tristrips", "uint", &[&400_000u32.to_le_bytes()[..], &[1, 2, 0, 3].repeat(100_000)]),
+        ),
+        (
+            "ply polygon",
+            Ply,
+            ply_of_bytes("face", "uint", &[&400_000u32.to_le_bytes()[..], &[1, 2, 0, 3].repeat(100_000)]),
+        ),
+        ("ply copies", Ply, ply_of_bytes("face", "uchar", &[&[3, 0, 1, 2].repeat(400_000)[..]])),
+        ("ply no corners", Ply, ply_of_bytes("face", "uchar", &[&[3, 0, 1, 2][..], &vec![0; 1 << 20]])),
+        ("vtk strip", Vtk, vtk_of_bytes("TRIANGLE_STRIPS", 1, &[1, 2, 0, 3].repeat(100_000))),
+        ("vtk polygon", Vtk, vtk_of_bytes("POLYGONS", 1, &[1, 2, 0, 3].repeat(100_000))),
+        ("vtk copies", Vtk, vtk_of_bytes("POLYGONS", 400_000, &[1, 2, 0].repeat(400_000))),
+        ("vtk text strip", Vtk, vtk_text_strip(1 << 18).into_bytes()),
+        ("vtp strip", Vtp, vtp_of_bytes("Strips", 1, 400_000, 1)),
+        ("vtp polygon", Vtp, vtp_of_bytes("Polys", 1, 400_000, 1)),
+        ("vtp copies", Vtp, vtp_of_bytes("Polys", 400_000, 1_200_000, 1)),
+        ("vtp shared", Vtp, vtp_of_bytes("Polys", 10_000, 30_000, 400)),
+        ("obj copies", Obj, ("v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned() + &"f 1 2 3\n".repeat(500_000)).into_bytes()),
     ]
+}
+
+/// Faces or strips over four points whose counts and indices are these bytes.
+fn ply_of_bytes(element: &str, count: &str, parts: &[&[u8]]) -> Vec<u8> {
+    let items = if count == "uint" { 1 } else { parts.concat().len() / 4 };
+    let items = if parts.len() == 2 && count == "uchar" { parts[1].len() + 1 } else { items };
+    let head = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty uchar x\nproperty uchar y\nproperty uchar z\n\
+         element {element} {items}\nproperty list {count} uchar vertex_indices\nend_header\n"
+    );
+    [head.as_bytes(), &[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], &parts.concat()].concat()
+}
+
+/// So many cells over four points, with as many of these corners each.
+fn vtk_of_bytes(cells: &str, count: usize, corners: &[u8]) -> Vec<u8> {
+    let each = corners.len() / count;
+    let (offsets, all) = (count + 1, corners.len());
+    let head = "# vtk DataFile Version 5.1\nx\nBINARY\nDATASET POLYDATA\nPOINTS 4 unsigned_char\n\0\0\0\x01\0\0\0\x01\0\0\0\x01\n";
+    let mut out = format!("{head}{cells} {offsets} {all}\nOFFSETS unsigned_int\n").into_bytes();
+    (0..=count).for_each(|k| out.extend(((each * k) as u32).to_be_bytes()));
+    out.extend(b"\nCONNECTIVITY unsigned_char\n");
+    out.extend(corners);
+    out
+}
+
+fn vtk_text_strip(count: usize) -> String {
+    let head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
+    format!("{head}TRIANGLE_STRIPS 1 {}\n{} {}", 3 * count + 1, 3 * count, "0 1 2 ".repeat(count))
+}
+
+/// Pieces that all have the same data: so many cells over four points, and corners of one byte.
+fn vtp_of_bytes(section: &str, cells: usize, corners: usize, pieces: usize) -> Vec<u8> {
+    let mut data = Vec::new();
+    let ends = (1..=cells).flat_map(|k| ((corners / cells * k) as u32).to_le_bytes()).collect();
+    let parts: [Vec<u8>; 3] = [vec![0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], [1, 2, 0, 3].repeat(corners / 4), ends];
+    let offsets = parts.map(|part| {
+        let at = data.len();
+        data.extend((part.len() as u32).to_le_bytes());
+        data.extend(part);
+        at
+    });
+    let array = |kind: &str, name: &str, at: usize| {
+        let components = if name.is_empty() { 3 } else { 1 };
+        format!(
+            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"appended\" offset=\"{at}\"/>"
+        )
+    };
+    let piece = format!(
+        "<Piece NumberOfPoints=\"4\" NumberOf{section}=\"{cells}\"><Points>{}</Points><{section}>{}{}</{section}></Piece>",
+        array("UInt8", "", offsets[0]),
+        array("UInt8", "connectivity", offsets[1]),
+        array("UInt32", "offsets", offsets[2])
+    );
+    let head = "<VTKFile type=\"PolyData\"><PolyData>".to_owned() + &piece.repeat(pieces);
+    [head.as_bytes(), b"</PolyData><AppendedData encoding=\"raw\">_", &data, b"</AppendedData></VTKFile>"].concat()
 }
 
 /// A text of polygons over a hundred points, with data.

@@ -83,7 +83,7 @@ fn a_field_replaces_one_of_its_name_and_must_fit() {
         let field = Field { name: name.into(), kind: FieldType::F64, components, values };
         mesh.with_field(true, field).unwrap_err().message().to_owned()
     };
-    assert_eq!(refused("", 1, vec![0.0; 20]), "name: \"\" is empty or not one line");
+    assert_eq!(refused("", 1, vec![0.0; 20]), "name: \"\" is empty, not one line or has white space around it");
     assert_eq!(refused("a", 1, vec![0.0; 12]), "values: 12 are not 1 for each of 20 items");
     assert_eq!(refused("a", 0, vec![]), "values: 0 are not 0 for each of 20 items");
     assert_eq!(mesh.with_tags(&[1], vec![]).unwrap_err().message(), "tags: 1 values for 20 faces");

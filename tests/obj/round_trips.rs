@@ -59,12 +59,6 @@ fn polygons_tags_and_names_come_back() {
 }
 
 #[test]
-fn a_name_of_several_lines_becomes_one_line() {
-    let named = prism().with_tags(&[1; 8], vec![(1, " a\nf 1 2 3\r\n".into())]).unwrap();
-    assert_eq!(back(&named, "lines").tag_names(), [(1, "a f 1 2 3".to_owned())]);
-}
-
-#[test]
 fn colours_come_back_with_their_seams() {
     let mesh = mesh(
         "v 0 0 0 1 1 1\nv 1 0 0 2 2 0.1\nv 1 1 0 3 3 3\nv 0 0 0 4 4 4\nv 1 1 0 3 3 3\nv 0 1 0 5 5 5\nv 0 0 1\nf 1 2 3\nf 4 5 6\nf 2 1 7\n",

@@ -71,6 +71,45 @@ fn values_that_are_no_numbers_are_data_too() {
 }
 
 #[test]
+fn numbers_of_a_text_are_rounded_as_the_bytes_of_their_type() {
+    let with = |kind: &str, values: &str| {
+        let array = format!("<PointData><DataArray type=\"{kind}\" Name=\"x\">{values}</DataArray>");
+        text(&triangle()).replace("<PointData>", &array)
+    };
+    assert_eq!(
+        mesh(with("Float32", "0.1 16777217 -1e-60").as_bytes()).vertex_fields()[0].values,
+        [f64::from(0.1f32), 16_777_216.0, 0.0]
+    );
+    let large = mesh(with("UInt64", "18446744073709551615 0 1").as_bytes());
+    assert_eq!((large.vertex_fields()[0].kind, large.vertex_fields()[0].values[0]), (FieldType::F64, 2f64.powi(64)));
+    for (kind, value) in [("Int8", "128"), ("UInt8", "-1"), ("Int64", "0.5"), ("UInt32", "nan"), ("Float32", "1e39")] {
+        let message = refused(with(kind, &format!("1 {value} 3")).as_bytes());
+        assert!(
+            message.ends_with(&format!("array \"x\": \"{value}\" is not a number of the type {kind}")),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn strings_of_a_text_are_signed_or_unsigned_bytes() {
+    let with = |bytes: &str| {
+        let names = format!(
+            "<PolyData><FieldData><DataArray type=\"Int32\" Name=\"tag_numbers\" NumberOfTuples=\"2\">4 2</DataArray>\
+             <Array type=\"String\" Name=\"tag_names\" NumberOfTuples=\"2\" format=\"ascii\">{bytes}</Array></FieldData>"
+        );
+        text(&triangle()).replace("<PolyData>", &names)
+    };
+    for bytes in ["-61 -87 0 97 10 98 0", "195 169 0 97 10 98 0"] {
+        assert_eq!(mesh(with(bytes).as_bytes()).tag_names(), [(2, "a b".to_owned()), (4, "é".to_owned())]);
+    }
+    for bytes in ["97 0 256 0", "97 0 -129 0"] {
+        assert!(refused(with(bytes).as_bytes()).ends_with(" is not a byte of a string"));
+    }
+    assert!(refused(with("97 0 0.5 0").as_bytes()).ends_with("\"0.5\" is not a number of the type Int16"));
+}
+
+#[test]
 fn data_of_strips_stay_in_proportion_to_the_file() {
     let points: Vec<[f64; 3]> = (0..100).map(|k| [f64::from(k), f64::from(k % 2), 0.0]).collect();
     let strip: Vec<u32> = (0..20_000).map(|k| k % 100).collect();
@@ -80,9 +119,12 @@ fn data_of_strips_stay_in_proportion_to_the_file() {
         file(Style::new(Form::AppendedRaw), &[Piece { points: points.clone(), strips, cell_data, ..Piece::default() }])
     };
     assert_eq!(mesh(&with(2)).face_fields()[0].values.len(), 2 * 19_998);
-    let message = refused_with(&with(1000), Status::Unsupported);
+    let wide = with(1000);
     assert_eq!(
-        message,
-        "array \"x\": 19998000 values of the triangles of strips are too many for 163404 bytes of data"
+        refused_with(&wide, Status::Unsupported),
+        format!(
+            "array \"x\": 19998000 values of the triangles of strips are too many for {} bytes of data",
+            wide.len()
+        )
     );
 }

@@ -81,11 +81,21 @@ fn points_and_corners_are_checked() {
     assert_refused("0 0 0 1 0 0", "0 0 0 1 0 x", "line 11: array \"Points\": \"x\" is not a number");
     assert_refused("0 1 2 ", "0 1 3 ", "array \"connectivity\": item 2: 3 is not one of the 3 points");
     assert_refused("0 1 2 ", "0 -1 2 ", "item 1: -1 is not one of the 3 points");
-    assert_refused("0 1 2 ", "0 1.5 2 ", "item 1: 1.5 is not one of the 3 points");
-    assert_refused("0 1 2 ", "0 nan 2 ", "item 1: NaN is not one of the 3 points");
+    assert_refused("0 1 2 ", "0 1.5 2 ", "\"1.5\" is not a number of the type Int64");
+    let reals = text(&triangle()).replace("\"Int64\"", "\"Float32\"").replace("\"Int32\"", "\"Float32\"");
+    for (from, to, wanted) in [
+        ("0 1 2 ", "0 1.5 2 ", "item 1: 1.5 is not one of the 3 points"),
+        ("0 1 2 ", "0 nan 2 ", "item 1: NaN is not one of the 3 points"),
+        ("          3 \n", "          1e30 \n", "cell 0 ends at 1"),
+        ("          3 \n", "          2.5 \n", "cell 0 ends at 2.5"),
+    ] {
+        let message = refused(reals.replace(from, to).as_bytes());
+        assert!(message.contains(wanted), "{from} -> {to}: {message}");
+    }
+    assert_refused("0 1 2 ", "0 nan 2 ", "\"nan\" is not a number of the type Int64");
     assert_refused("          3 \n", "          -3 \n", "array \"offsets\": cell 0 ends at -3, the one before at 0");
-    assert_refused("          3 \n", "          1e300 \n", "cell 0 ends at 1");
-    assert_refused("          3 \n", "          2.5 \n", "cell 0 ends at 2.5");
+    assert_refused("          3 \n", "          1e300 \n", "\"1e300\" is not a number of the type Int32");
+    assert_refused("          3 \n", "          2.5 \n", "\"2.5\" is not a number of the type Int32");
     assert_refused("          3 \n", "          4 \n", "array \"connectivity\": 3 numbers, not 4");
     assert_refused("Name=\"offsets\"", "Name=\"ends\"", "<Piece>: Polys have no array \"offsets\"");
     assert_refused("Name=\"connectivity\"", "Name=\"x\"", "<Piece>: Polys have no array \"connectivity\"");
@@ -111,6 +121,35 @@ fn pieces_with_other_data_are_refused() {
 }
 
 #[test]
+fn arrays_may_not_read_the_same_bytes_again_and_again() {
+    let points: Vec<[f64; 3]> = (0..1000).map(|k| [f64::from(k), f64::from(k % 7), f64::from(k % 3)]).collect();
+    let point_data = vec![Array::new("p", "Float64", 1, &vec![1.0; 1000])];
+    for style in [Style::new(Form::AppendedRaw), Style::new(Form::AppendedBase64)] {
+        let piece = Piece {
+            points: points.clone(),
+            polys: vec![vec![0, 1, 2]],
+            point_data: point_data.clone(),
+            ..Piece::default()
+        };
+        let bytes = file(style, &[piece]);
+        let (begin, end) =
+            (position(&bytes, b"<DataArray type=\"Float64\" Name=\"p\""), position(&bytes, b"</PointData>"));
+        let tag = String::from_utf8(bytes[begin..end].to_vec()).unwrap();
+        let with = |count: usize| {
+            let copies: String = (0..count).map(|k| tag.replace("\"p\"", &format!("\"q{k}\""))).collect();
+            [&bytes[..begin], copies.as_bytes(), &bytes[begin..]].concat()
+        };
+        assert_eq!(mesh(&with(0)).vertex_fields().len(), 1);
+        let message = refused_with(&with(20), Status::Unsupported);
+        assert!(message.contains(": array \"q") && message.contains("\": data are shared: "), "{message}");
+    }
+}
+
+fn position(bytes: &[u8], part: &[u8]) -> usize {
+    bytes.windows(part.len()).position(|w| w == part).expect("it is there")
+}
+
+#[test]
 fn names_of_tags_must_fit_their_numbers() {
     let with = |from: &str, to: &str| {
         let mut vtp = Vtp::new(ASCII);
@@ -126,7 +165,11 @@ fn names_of_tags_must_fit_their_numbers() {
     assert_eq!(names("\"tag_names\"", "\"names\""), []);
     let message = |from: &str, to: &str| with(from, to).unwrap_err().message().to_owned();
     assert!(message("97 0 98 0", "97 0").ends_with("array \"tag_names\": 1 names of 2 tags"));
-    assert!(message("11 22 ", "11 2.5 ").ends_with("\"b\" is the name of 2.5, which is no tag"));
+    assert!(message("11 22 ", "11 2.5 ").ends_with("\"2.5\" is not a number of the type Int32"));
+    let wide = "\"Float64\" Name=\"tag_numbers\" NumberOfComponents=\"1\" NumberOfTuples=\"2\" format=\"ascii\">2.5 7</DataArray>\
+                <DataArray type=\"Int8\" Name=\"x\"";
+    let named = message("\"Int32\" Name=\"tag_numbers\"", wide);
+    assert!(named.ends_with("\"a\" is the name of 2.5, which is no tag"), "{named}");
     assert!(message("11 22 ", "11 22 3 ").contains("array \"tag_numbers\": more than 2 numbers"));
 }
 

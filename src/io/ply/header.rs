@@ -3,7 +3,7 @@
 
 use crate::error::{Error, Result};
 use crate::io::number::Number;
-use crate::mesh::FieldType;
+use crate::io::text::one_line;
 use std::collections::BTreeSet;
 
 /// How the numbers are written.
@@ -17,8 +17,8 @@ pub(super) enum Encoding {
 /// One number an item, or a count and so many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
-    Scalar(FieldType),
-    List { count: FieldType, item: FieldType },
+    Scalar(Number),
+    List { count: Number, item: Number },
 }
 
 pub(super) struct Property {
@@ -30,6 +30,8 @@ pub(super) struct Element {
     pub name: String,
     pub count: usize,
     pub properties: Vec<Property>,
+    /// Where it is declared.
+    pub line: usize,
 }
 
 impl Element {
@@ -38,12 +40,17 @@ impl Element {
         self.name.eq_ignore_ascii_case(name)
     }
 
+    /// The error at its declaration.
+    pub fn wrong(&self, what: impl std::fmt::Display) -> Error {
+        Error::parse(format!("line {}: element {}: {what}", self.line, shown(&self.name)))
+    }
+
     /// The fewest bytes that an item can take.
     pub fn least_bytes(&self, encoding: Encoding) -> usize {
         let of = |p: &Property| match (encoding, p.shape) {
             // A digit, and the space before the next.
             (Encoding::Ascii, _) => 2,
-            (_, Shape::Scalar(t) | Shape::List { count: t, .. }) => Number::of_field(t).size(),
+            (_, Shape::Scalar(t) | Shape::List { count: t, .. }) => t.size(),
         };
         self.properties.iter().map(of).sum()
     }
@@ -77,10 +84,6 @@ impl Vector {
     }
 }
 
-pub(super) fn is_integer(t: FieldType) -> bool {
-    !matches!(t, FieldType::F32 | FieldType::F64)
-}
-
 /// Reads up to `end_header`.
 pub(super) fn read(bytes: &[u8]) -> Result<Header> {
     let end = bytes.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(0);
@@ -96,7 +99,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
         names: BTreeSet::new(),
     };
     let mut encoding = None;
-    lines.next()?;
+    let first = lines.next()?;
+    if !first.trim_start_matches('\u{feff}').trim().eq_ignore_ascii_case("ply") {
+        return Err(Error::parse(format!("line 1: \"{}\" is not \"ply\"", shown(&first))));
+    }
     loop {
         let text = lines.next()?;
         let words: Vec<&str> = text.split_ascii_whitespace().collect();
@@ -108,15 +114,20 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header> {
                 header.tag_names.extend(tag_name(&text));
                 header.vectors.extend(vector(&text));
             }
-            ["format", name, _] => encoding = Some(encoding_of(name).ok_or_else(unexpected)?),
+            ["format", name, _] if encoding.is_none() => encoding = Some(encoding_of(name).ok_or_else(unexpected)?),
             ["element", name, count] => {
                 let count = count.parse().map_err(|_| unexpected())?;
-                header.elements.push(Element { name: name.to_owned(), count, properties: Vec::new() });
+                header.elements.push(Element {
+                    name: name.to_owned(),
+                    count,
+                    properties: Vec::new(),
+                    line: lines.line,
+                });
             }
             ["property", "list", count, item, name] => {
                 let [count, item] = [count, item].map(type_of);
                 let (Some(count), Some(item)) = (count, item) else { return Err(unexpected()) };
-                if !is_integer(count) {
+                if !count.is_integer() {
                     return Err(Error::parse(format!("line {}: the count of a list is no integer", lines.line)));
                 }
                 header.add(name, Shape::List { count, item }, lines.line)?;
@@ -158,18 +169,19 @@ fn encoding_of(name: &str) -> Option<Encoding> {
     }
 }
 
-/// Both families of names. An unsigned 64-bit integer is kept as a signed one.
-fn type_of(name: &str) -> Option<FieldType> {
+/// Both families of names.
+fn type_of(name: &str) -> Option<Number> {
     Some(match name {
-        "char" | "int8" => FieldType::I8,
-        "uchar" | "uint8" => FieldType::U8,
-        "short" | "int16" => FieldType::I16,
-        "ushort" | "uint16" => FieldType::U16,
-        "int" | "int32" => FieldType::I32,
-        "uint" | "uint32" => FieldType::U32,
-        "int64" | "uint64" | "long" | "ulong" => FieldType::I64,
-        "float" | "float32" => FieldType::F32,
-        "double" | "float64" => FieldType::F64,
+        "char" | "int8" => Number::I8,
+        "uchar" | "uint8" => Number::U8,
+        "short" | "int16" => Number::I16,
+        "ushort" | "uint16" => Number::U16,
+        "int" | "int32" => Number::I32,
+        "uint" | "uint32" => Number::U32,
+        "int64" | "long" => Number::I64,
+        "uint64" | "ulong" => Number::U64,
+        "float" | "float32" => Number::F32,
+        "double" | "float64" => Number::F64,
         _ => return None,
     })
 }
@@ -178,8 +190,8 @@ fn type_of(name: &str) -> Option<FieldType> {
 fn tag_name(line: &str) -> Option<(i32, String)> {
     let rest = line.trim_start().strip_prefix("comment")?.trim_start().strip_prefix("tag ")?;
     let (number, name) = rest.trim().split_once(' ')?;
-    let name = name.trim();
-    if name.is_empty() || name.chars().any(char::is_control) { None } else { Some((number.parse().ok()?, name.into())) }
+    let name = one_line(name);
+    if name.is_empty() { None } else { Some((number.parse().ok()?, name)) }
 }
 
 /// `comment field vertex|face COMPONENTS NAME`, as this library writes it.
@@ -187,8 +199,8 @@ fn vector(line: &str) -> Option<Vector> {
     let rest = line.trim_start().strip_prefix("comment")?.trim_start().strip_prefix("field ")?;
     let (on, rest) = rest.split_once(' ')?;
     let (components, name) = rest.split_once(' ')?;
-    let (components, name) = (components.parse().ok().filter(|n| *n > 0)?, name.trim().to_owned());
-    let known = matches!(on, "vertex" | "face") && !name.is_empty() && !name.chars().any(char::is_control);
+    let (components, name) = (components.parse().ok().filter(|n| *n > 0)?, one_line(name));
+    let known = matches!(on, "vertex" | "face") && !name.is_empty();
     known.then_some(Vector { on_faces: on == "face", components, name })
 }
 

@@ -5,10 +5,9 @@ use super::header::Encoding;
 use crate::error::{Error, Result};
 use crate::io::number::Number;
 use crate::io::words::Words;
-use crate::mesh::FieldType;
 
 pub(super) enum Numbers<'a> {
-    Text(Words<'a>),
+    Text { words: Words<'a>, size: usize },
     Binary { bytes: &'a [u8], at: usize, big_endian: bool },
 }
 
@@ -16,7 +15,7 @@ impl<'a> Numbers<'a> {
     /// Those from `start` on; `line` is that of the last line before it.
     pub fn new(bytes: &'a [u8], start: usize, line: usize, encoding: Encoding) -> Numbers<'a> {
         match encoding {
-            Encoding::Ascii => Numbers::Text(Words::from_line(&bytes[start..], line + 1)),
+            Encoding::Ascii => Numbers::Text { words: Words::from_line(&bytes[start..], line + 1), size: bytes.len() },
             _ => Numbers::Binary { bytes, at: start, big_endian: encoding == Encoding::BigEndian },
         }
     }
@@ -24,28 +23,36 @@ impl<'a> Numbers<'a> {
     /// Bytes not read yet.
     pub fn left(&self) -> usize {
         match self {
-            Numbers::Text(words) => words.left(),
+            Numbers::Text { words, .. } => words.left(),
             Numbers::Binary { bytes, at, .. } => bytes.len() - at,
+        }
+    }
+
+    /// Bytes of the file.
+    pub fn size(&self) -> usize {
+        match self {
+            Numbers::Text { size, .. } => *size,
+            Numbers::Binary { bytes, .. } => bytes.len(),
         }
     }
 
     /// Where the last number was, for messages.
     pub fn place(&self) -> String {
         match self {
-            Numbers::Text(words) => format!("line {}", words.line()),
+            Numbers::Text { words, .. } => format!("line {}", words.line()),
             Numbers::Binary { at, .. } => format!("offset {at}"),
         }
     }
 
     /// The next number.
-    pub fn next(&mut self, t: FieldType) -> Result<f64> {
+    pub fn next(&mut self, t: Number) -> Result<f64> {
         match self {
-            Numbers::Text(words) => {
+            Numbers::Text { words, .. } => {
                 let word = words.next();
-                words.parsed(word, "a number")
+                words.number_in(word, t)
             }
             Numbers::Binary { bytes, at, big_endian } => {
-                let n = Number::of_field(t).size();
+                let n = t.size();
                 let Some(raw) = bytes.get(*at..*at + n) else {
                     return Err(Error::parse(format!("offset {}: the file ends within a number", bytes.len())));
                 };
@@ -62,16 +69,17 @@ impl<'a> Numbers<'a> {
 }
 
 /// The number in the first bytes, which are little-endian.
-fn value(b: [u8; 8], t: FieldType) -> f64 {
+fn value(b: [u8; 8], t: Number) -> f64 {
     match t {
-        FieldType::I8 => f64::from(b[0] as i8),
-        FieldType::U8 => f64::from(b[0]),
-        FieldType::I16 => f64::from(i16::from_le_bytes([b[0], b[1]])),
-        FieldType::U16 => f64::from(u16::from_le_bytes([b[0], b[1]])),
-        FieldType::I32 => f64::from(i32::from_le_bytes([b[0], b[1], b[2], b[3]])),
-        FieldType::U32 => f64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])),
-        FieldType::F32 => f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
-        FieldType::I64 => i64::from_le_bytes(b) as f64,
-        FieldType::F64 => f64::from_le_bytes(b),
+        Number::I8 => f64::from(b[0] as i8),
+        Number::U8 => f64::from(b[0]),
+        Number::I16 => f64::from(i16::from_le_bytes([b[0], b[1]])),
+        Number::U16 => f64::from(u16::from_le_bytes([b[0], b[1]])),
+        Number::I32 => f64::from(i32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+        Number::U32 => f64::from(u32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+        Number::F32 => f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+        Number::I64 => i64::from_le_bytes(b) as f64,
+        Number::U64 => u64::from_le_bytes(b) as f64,
+        Number::F64 => f64::from_le_bytes(b),
     }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The items of a PLY file: vertices, faces and strips; other elements are stepped over.
 
-use super::header::{self, Element, Header, Property, Shape, Vector, is_integer};
+use super::header::{self, Element, Header, Property, Shape, Vector};
 use super::numbers::Numbers;
 use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::io::number::Number;
+use crate::io::proportion::Demand;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
 
@@ -11,9 +13,10 @@ use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
 pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
     let header = header::read(bytes)?;
     check_elements(&header)?;
-    let vertices = header.elements.iter().find(|e| e.is("vertex")).map_or(0, |e| e.count);
-    if vertices >= u32::MAX as usize {
-        return Err(Error::parse(format!("element vertex: {vertices} are more than {}", u32::MAX - 1)));
+    let vertex = header.elements.iter().find(|e| e.is("vertex"));
+    let vertices = vertex.map_or(0, |e| e.count);
+    if let Some(element) = vertex.filter(|e| e.count >= u32::MAX as usize) {
+        return Err(element.wrong(format_args!("{vertices} are more than {}", u32::MAX - 1)));
     }
     let mut numbers = Numbers::new(bytes, header.end, header.lines, header.encoding);
     let mut input = Input::new(Vec::new(), Faces::with_capacity(0, 0)?, Status::Parse);
@@ -50,13 +53,14 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
 fn check_elements(header: &Header) -> Result<()> {
     let all = |name: &'static str| header.elements.iter().filter(move |e| e.is(name) && e.count > 0);
     for name in ["vertex", "face", "tristrips"] {
-        if all(name).count() > 1 {
-            return Err(Error::parse(format!("element {name}: it is there twice")));
+        if let Some(second) = all(name).nth(1) {
+            return Err(second.wrong("it is there twice"));
         }
     }
     let has_data = |e: &Element| e.properties.iter().any(|p| matches!(p.shape, Shape::Scalar(_)));
-    if all("tristrips").next().is_some() && all("face").any(has_data) {
-        return Err(Error::unsupported("element face: it has data, and the element tristrips beside it has none"));
+    if let (Some(_), Some(face)) = (all("tristrips").next(), all("face").find(|e| has_data(e))) {
+        let what = face.wrong("it has data, and the element tristrips beside it has none");
+        return Err(Error::unsupported(what.message()));
     }
     Ok(())
 }
@@ -81,12 +85,12 @@ fn read_vertices(element: &Element, numbers: &mut Numbers, input: &mut Input) ->
     let is = |p: &Property, name: &str| p.name.eq_ignore_ascii_case(name) && matches!(p.shape, Shape::Scalar(_));
     for axis in ["x", "y", "z"] {
         if !element.properties.iter().any(|p| is(p, axis)) {
-            return Err(Error::parse(format!("element vertex: it has no property {axis}")));
+            return Err(element.wrong(format_args!("it has no property {axis}")));
         }
     }
     enum Goes {
-        Axis(usize, FieldType),
-        Field(usize, FieldType),
+        Axis(usize, Number),
+        Field(usize, Number),
         Nowhere,
     }
     let mut plan = Vec::new();
@@ -95,7 +99,7 @@ fn read_vertices(element: &Element, numbers: &mut Numbers, input: &mut Input) ->
         plan.push(match (axis, p.shape) {
             (Some(axis), Shape::Scalar(t)) => Goes::Axis(axis, t),
             (None, Shape::Scalar(t)) => {
-                input.vertex_data.push(field(&p.name, t, element.count)?);
+                input.vertex_data.push(field(&p.name, element.count)?);
                 Goes::Field(input.vertex_data.len() - 1, t)
             }
             _ => Goes::Nowhere,
@@ -113,6 +117,12 @@ fn read_vertices(element: &Element, numbers: &mut Numbers, input: &mut Input) ->
         }
         input.positions.push(position);
     }
+    for goes in plan {
+        if let Goes::Field(k, t) = goes {
+            let field = &mut input.vertex_data[k];
+            field.kind = t.field_type(&field.values);
+        }
+    }
     Ok(())
 }
 
@@ -123,19 +133,24 @@ fn coordinate(vertex: usize, x: f64, numbers: &Numbers) -> Result<f64> {
     Err(Error::parse(format!("{}: the coordinate {x} of vertex {vertex} is not finite", numbers.place())))
 }
 
-fn field(name: &str, kind: FieldType, count: usize) -> Result<Field> {
-    Ok(Field { name: name.to_owned(), kind, components: 1, values: try_with_capacity("values", count)? })
+fn field(name: &str, count: usize) -> Result<Field> {
+    Ok(Field {
+        name: name.to_owned(),
+        kind: FieldType::F64,
+        components: 1,
+        values: try_with_capacity("values", count)?,
+    })
 }
 
 /// The list that holds the corners.
 fn corners_of(element: &Element) -> Result<usize> {
     let named = |p: &Property| ["vertex_indices", "vertex_index"].iter().any(|n| p.name.eq_ignore_ascii_case(n));
-    let lists = |p: &Property| matches!(p.shape, Shape::List { item, .. } if is_integer(item));
+    let lists = |p: &Property| matches!(p.shape, Shape::List { item, .. } if item.is_integer());
     element
         .properties
         .iter()
         .position(|p| named(p) && lists(p))
-        .ok_or_else(|| Error::parse(format!("element {}: it has no list of integers vertex_indices", element.name)))
+        .ok_or_else(|| element.wrong("it has no list of integers vertex_indices"))
 }
 
 fn read_faces(element: &Element, vertices: usize, numbers: &mut Numbers, input: &mut Input) -> Result<()> {
@@ -143,7 +158,7 @@ fn read_faces(element: &Element, vertices: usize, numbers: &mut Numbers, input: 
     let mut fields = Vec::new();
     for p in &element.properties {
         fields.push(match p.shape {
-            Shape::Scalar(t) => Some((t, field(&p.name, t, element.count)?)),
+            Shape::Scalar(t) => Some((t, field(&p.name, element.count)?)),
             Shape::List { .. } => None,
         });
     }
@@ -161,9 +176,10 @@ fn read_faces(element: &Element, vertices: usize, numbers: &mut Numbers, input: 
             push(input, ring.iter().map(|v| *v as u32), number)?;
         }
     }
-    for (t, field) in fields.into_iter().flatten() {
+    for (t, mut field) in fields.into_iter().flatten() {
+        field.kind = t.field_type(&field.values);
         let fits = |x: &f64| *x >= f64::from(i32::MIN) && *x <= f64::from(i32::MAX);
-        let whole = is_integer(t) && field.values.iter().all(fits);
+        let whole = t.is_integer() && field.values.iter().all(fits);
         if field.name.eq_ignore_ascii_case("tag") && whole && input.tags.is_empty() {
             input.tags = try_with_capacity("tags", field.values.len())?;
             input.tags.extend(field.values.iter().map(|x| *x as i32));
@@ -177,6 +193,7 @@ fn read_faces(element: &Element, vertices: usize, numbers: &mut Numbers, input: 
 /// The triangles of strips: each corner after the first two of a strip closes one, and -1 begins another strip.
 fn read_strips(element: &Element, vertices: usize, numbers: &mut Numbers, input: &mut Input) -> Result<()> {
     let corners = corners_of(element)?;
+    let size = numbers.size();
     let mut ring = Vec::new();
     for strip in 0..element.count {
         for (k, p) in element.properties.iter().enumerate() {
@@ -186,6 +203,8 @@ fn read_strips(element: &Element, vertices: usize, numbers: &mut Numbers, input:
                 skip(p, numbers)?;
             }
         }
+        let corners = input.faces.corners.len().saturating_add(ring.len().saturating_mul(3));
+        Demand { points: vertices, corners, ..Demand::default() }.check(size)?;
         for strip in ring.split(|v| *v < 0) {
             for (k, t) in strip.windows(3).enumerate() {
                 let (a, b) = if k % 2 == 0 { (t[0], t[1]) } else { (t[1], t[0]) };
@@ -213,7 +232,9 @@ fn join(vector: &Vector, fields: &mut Vec<Field>) -> Result<()> {
     for k in 0..items {
         values.extend(fields[first..first + vector.components].iter().map(|f| f.values[k]));
     }
-    let kind = fields[first].kind;
+    // No other type holds what several do.
+    let same = fields[first..first + vector.components].iter().all(|f| f.kind == fields[first].kind);
+    let kind = if same { fields[first].kind } else { FieldType::F64 };
     fields.drain(first + 1..first + vector.components);
     fields[first] = Field { name: vector.name.clone(), kind, components: vector.components, values };
     Ok(())
@@ -249,6 +270,7 @@ fn read_ring(
     let Shape::List { count, item: t } = p.shape else { return Ok(()) };
     let length = length(count, numbers)?;
     ring.clear();
+    ring.try_reserve(length).map_err(|_| Error::memory("corners", length))?;
     for _ in 0..length {
         let index = numbers.next(t)?;
         let known = index >= 0.0 && index < vertices as f64 && index.fract() == 0.0;
@@ -258,14 +280,13 @@ fn read_ring(
                 numbers.place()
             )));
         }
-        ring.try_reserve(1).map_err(|_| Error::memory("corners", ring.len()))?;
         ring.push(index as i64);
     }
     Ok(())
 }
 
 /// The length of a list, which the bytes left must hold.
-fn length(t: FieldType, numbers: &mut Numbers) -> Result<usize> {
+fn length(t: Number, numbers: &mut Numbers) -> Result<usize> {
     let length = numbers.next(t)?;
     if length >= 0.0 && length <= numbers.left() as f64 && length.fract() == 0.0 {
         return Ok(length as usize);

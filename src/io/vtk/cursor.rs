@@ -3,8 +3,10 @@
 
 use crate::error::{Error, Result, try_with_capacity};
 use crate::io::number::Number;
+use crate::io::text::one_line;
 use crate::io::words::Words;
 
+#[derive(Clone)]
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
     words: Words<'a>,
@@ -79,7 +81,7 @@ impl<'a> Cursor<'a> {
             let mut values = try_with_capacity("values", count)?;
             for _ in 0..count {
                 let word = self.words.next();
-                values.push(self.words.parsed(word, "a number")?);
+                values.push(self.words.number_in(word, number)?);
             }
             return Ok(values);
         }
@@ -101,12 +103,106 @@ impl<'a> Cursor<'a> {
         Ok(bytes)
     }
 
-    /// Steps over lines up to an empty one.
-    pub fn skip_block(&mut self) {
-        self.end_line();
-        while self.words.left() > 0 && !self.words.rest_of_line().is_empty() {
+    /// The next line, without white space around it; none at the end.
+    fn line(&mut self) -> Option<String> {
+        (self.words.left() > 0).then(|| {
+            let line = self.words.rest_of_line();
             self.end_line();
+            line
+        })
+    }
+
+    /// The line of a METADATA block that must be there.
+    fn line_of(&mut self, block: &str) -> Result<String> {
+        self.line().ok_or_else(|| self.wrong(format_args!("the file ends within {block}")))
+    }
+
+    /// Steps over the METADATA of an array of so many components, where they follow: a name of each component, empty
+    /// lines for those that have none, and the keys of an INFORMATION. An empty line ends them.
+    pub fn skip_metadata(&mut self, components: usize) -> Result<()> {
+        let mut ahead = self.words.clone();
+        if !ahead.next().eq_ignore_ascii_case(b"METADATA") || !ahead.rest_of_line().is_empty() {
+            return Ok(());
         }
+        self.words = ahead;
+        self.end_line();
+        loop {
+            let place = self.place();
+            let Some(line) = self.line() else { return Ok(()) };
+            let words: Vec<&str> = line.split_whitespace().take(3).collect();
+            match words[..] {
+                [] => return Ok(()),
+                [word] if word.eq_ignore_ascii_case("COMPONENT_NAMES") => {
+                    for _ in 0..components {
+                        self.line_of("COMPONENT_NAMES")?;
+                    }
+                }
+                [word, count] if word.eq_ignore_ascii_case("INFORMATION") && count.parse::<u32>().is_ok() => {
+                    for _ in 0..count.parse().unwrap_or(0u32) {
+                        self.skip_key()?;
+                    }
+                }
+                _ => return Err(Error::parse(format!("{place}: \"{line:.40}\" is no part of METADATA"))),
+            }
+        }
+    }
+
+    /// Steps over a key of an INFORMATION: its name and its data.
+    fn skip_key(&mut self) -> Result<()> {
+        let mut place = self.place();
+        let mut name = self.line_of("INFORMATION")?;
+        while name.is_empty() {
+            place = self.place();
+            name = self.line_of("INFORMATION")?;
+        }
+        let data = self.line_of("INFORMATION")?;
+        let words: Vec<&str> = data.split_whitespace().take(3).collect();
+        if !name.starts_with("NAME ") || words.first() != Some(&"DATA") {
+            let what = format!("\"{name:.40}\" and \"{data:.40}\" are no key of INFORMATION");
+            return Err(Error::parse(format!("{place}: {what}")));
+        }
+        // Behind the count of strings each has a line.
+        let next = self.words.clone().rest_of_line();
+        if let [_, count] = words[..]
+            && let Ok(count) = count.parse::<usize>()
+            && !next.is_empty()
+            && !next.starts_with("NAME ")
+        {
+            for _ in 0..count {
+                self.line_of("INFORMATION")?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Goes behind the end of the line, where the strings of an array begin.
+    pub fn begin_strings(&mut self) {
+        self.end_line();
+    }
+
+    /// The next string of an array: a line with %-escapes, or bytes behind their count. The count's first two bits
+    /// say that it has 8, 4, 2 bytes or 1.
+    pub fn string(&mut self) -> Result<String> {
+        if !self.binary {
+            let line = self.line_of("an array of strings")?;
+            return Ok(unescaped(line.as_bytes()));
+        }
+        let rest = &self.bytes[self.at()..];
+        let size = 8 >> (rest.first().copied().unwrap_or(0) >> 6);
+        let mut count = [0; 8];
+        let Some(given) = rest.get(..size) else {
+            return Err(self.wrong("the file ends within an array of strings"));
+        };
+        count[8 - size..].copy_from_slice(given);
+        if size < 8 {
+            count[8 - size] &= 63;
+        }
+        let (count, left) = (u64::from_be_bytes(count), &rest[size..]);
+        let Some(string) = usize::try_from(count).ok().and_then(|n| left.get(..n)) else {
+            return Err(self.wrong(format_args!("{} bytes left cannot hold a string of {count}", left.len())));
+        };
+        self.go_to(self.at() + size + string.len());
+        Ok(one_line(&String::from_utf8_lossy(string)))
     }
 
     /// Steps over so many lines.
@@ -134,14 +230,16 @@ fn unescaped(word: &[u8]) -> String {
             }
         }
     }
-    String::from_utf8_lossy(&out).chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    one_line(&String::from_utf8_lossy(&out))
 }
 
-/// White space, quotes and percent signs as %20 and the like.
+/// White space, quotes and percent signs as %20 and the like. VTK takes every name that begins with METADATA for a
+/// block of metadata.
 pub(super) fn escaped(name: &str) -> String {
     let mut out = String::new();
-    for b in name.bytes() {
-        if b.is_ascii_graphic() && b != b'%' && b != b'"' {
+    let metadata = name.get(..8).is_some_and(|begin| begin.eq_ignore_ascii_case("METADATA"));
+    for (k, b) in name.bytes().enumerate() {
+        if b.is_ascii_graphic() && b != b'%' && b != b'"' && !(metadata && k == 0) {
             out.push(b as char);
         } else {
             out += &format!("%{b:02X}");
@@ -157,9 +255,10 @@ pub(super) fn type_of(word: &[u8]) -> Option<Number> {
         b"unsigned_char" | b"vtktypeuint8" => Number::U8,
         b"short" | b"vtktypeint16" => Number::I16,
         b"unsigned_short" | b"vtktypeuint16" => Number::U16,
-        b"int" | b"vtktypeint32" => Number::I32,
+        // VTK writes its type of indices as int, however many bytes one has in memory.
+        b"int" | b"vtktypeint32" | b"vtkidtype" => Number::I32,
         b"unsigned_int" | b"vtktypeuint32" => Number::U32,
-        b"long" | b"long_long" | b"vtktypeint64" | b"vtkidtype" => Number::I64,
+        b"long" | b"long_long" | b"vtktypeint64" => Number::I64,
         b"unsigned_long" | b"unsigned_long_long" | b"vtktypeuint64" => Number::U64,
         b"float" => Number::F32,
         b"double" => Number::F64,

@@ -5,6 +5,7 @@ use super::cursor::{Cursor, type_of};
 use super::data::Data;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::io::number::Number;
+use crate::io::proportion::Demand;
 use crate::io::vtp::cells::Cells;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Input, LARGEST_COORDINATE};
@@ -46,10 +47,14 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
             }
             b"POLYGONS" if file.polygons.ends.is_empty() => file.polygons = file.faces()?,
             b"TRIANGLE_STRIPS" if file.strips.ends.is_empty() => file.strips = file.faces()?,
-            b"METADATA" => file.cursor.skip_block(),
             b"POINT_DATA" => of = Of::Points(file.cursor.count()?),
             b"CELL_DATA" => of = Of::Cells(file.cursor.count()?),
-            b"FIELD" if of == Of::Nothing => file.tag_names = super::data::names(&mut file.cursor)?,
+            b"FIELD" if of == Of::Nothing => {
+                let names = super::data::names(&mut file.cursor)?;
+                if file.tag_names.is_empty() {
+                    file.tag_names = names;
+                }
+            }
             _ => match of {
                 Of::Points(count) => file.of_points.read(&word, count, &mut file.cursor)?,
                 Of::Cells(count) => file.of_cells.read(&word, count, &mut file.cursor)?,
@@ -111,6 +116,7 @@ impl<'a> File<'a> {
             return Err(self.cursor.wrong(format_args!("{count} points are more than {}", u32::MAX - 1)));
         }
         let values = self.cursor.numbers(3 * count, number)?;
+        self.cursor.skip_metadata(3)?;
         if let Some(k) = values.iter().position(|x| !x.is_finite() || x.abs() > LARGEST_COORDINATE) {
             return Err(self.cursor.wrong(format_args!(
                 "the coordinate {} of point {} is not finite",
@@ -141,15 +147,17 @@ impl<'a> File<'a> {
         self.cursor.word();
         let number = self.number()?;
         let offsets = self.cursor.numbers(first, number)?;
+        self.cursor.skip_metadata(1)?;
         if !self.cursor.word().eq_ignore_ascii_case(b"CONNECTIVITY") {
             return Err(self.cursor.wrong("there is no CONNECTIVITY behind OFFSETS"));
         }
         let number = self.number()?;
         let corners = self.cursor.numbers(second, number)?;
+        self.cursor.skip_metadata(1)?;
         let rises = offsets.windows(2).all(|w| w[0] <= w[1]);
-        let ends = offsets.first().is_none_or(|x| *x == 0.0) && offsets.last().is_none_or(|x| *x <= second as f64);
+        let ends = offsets.first().is_none_or(|x| *x == 0.0) && *offsets.last().unwrap_or(&0.0) == second as f64;
         if !rises || !ends {
-            return Err(self.cursor.wrong(format_args!("OFFSETS do not rise from 0 to at most {second}")));
+            return Err(self.cursor.wrong(format_args!("OFFSETS do not rise from 0 to {second}")));
         }
         let mut found = try_with_capacity("cells", offsets.len())?;
         found.extend(offsets.iter().skip(1).map(|x| *x as usize));
@@ -177,6 +185,9 @@ impl<'a> File<'a> {
             (at, end) = (at + 1 + length, end + length);
             ends.push(end);
         }
+        if at < size {
+            return Err(self.cursor.wrong(format_args!("{count} cells have {at} of {size} numbers")));
+        }
         values.truncate(end);
         Ok((ends, values))
     }
@@ -200,6 +211,10 @@ impl<'a> File<'a> {
     fn finish(self, size: usize) -> Result<Input> {
         let (points, cells) = (self.points.len(), self.other_cells + self.polygons.count() + self.strips.count());
         let end = self.cursor.place();
+        let triangles: usize = self.strips.strip_lengths().sum();
+        let data = self.of_cells.components().saturating_mul(triangles);
+        let corners = self.polygons.corners.len() + 3 * triangles;
+        Demand { points, corners, vertex_values: 0, face_values: data }.check(size)?;
         let mut faces = Faces::with_capacity(self.polygons.count(), self.polygons.corners.len())?;
         let mut number = 0;
         self.polygons.add_polygons(&mut faces, &mut number)?;
@@ -222,11 +237,6 @@ impl<'a> File<'a> {
             let tags = of_cells.remove(at);
             input.tags = try_with_capacity("tags", cell_of.len())?;
             input.tags.extend(cell_of.iter().map(|c| tags.values[*c as usize] as i32));
-        }
-        // A strip's data are those of each of its triangles: many data of a long strip would be more than the file.
-        let values = of_cells.iter().map(|f| f.components).sum::<usize>().saturating_mul(cell_of.len());
-        if values > 2 * size + (1 << 20) {
-            return Err(Error::unsupported(format!("CELL_DATA: {values} values for the triangles of strips")));
         }
         for field in of_cells {
             input.face_data.push(field.gathered(cell_of.iter().copied())?);

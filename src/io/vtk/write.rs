@@ -2,10 +2,9 @@
 //! Writing legacy VTK: version 4.2, which every reader knows, in big-endian bytes.
 
 use super::cursor::escaped;
-use super::data::TAG_NAME;
 use crate::error::{Error, Result};
 use crate::io::number::Number;
-use crate::io::vtp::read::{TAG, is_tags};
+use crate::io::vtp::read::{TAG, TAG_NAMES, TAG_NUMBERS, is_tags};
 use crate::mesh::{Field, Mesh};
 
 /// The bytes of a file with the surface as it stands: one point a row of the vertex data. Faces are numbered anew.
@@ -27,10 +26,12 @@ pub(in crate::io) fn write(mesh: &Mesh) -> Result<Vec<u8>> {
     out.try_reserve(bytes).map_err(|_| Error::memory("bytes", bytes))?;
     out.extend_from_slice(b"# vtk DataFile Version 4.2\nsurface mesh\nBINARY\nDATASET POLYDATA\n");
     if !mesh.tag_names().is_empty() {
-        head(&mut out, format_args!("FIELD FieldData {}", mesh.tag_names().len()));
-        for (tag, name) in mesh.tag_names() {
-            array(&mut out, &format!("{TAG_NAME}{name}"), 1, 1, Number::I32, [f64::from(*tag)].into_iter());
-        }
+        let count = mesh.tag_names().len();
+        head(&mut out, format_args!("FIELD FieldData 2"));
+        array(&mut out, TAG_NUMBERS, 1, count, Number::I32, mesh.tag_names().iter().map(|(tag, _)| f64::from(*tag)));
+        head(&mut out, format_args!("{TAG_NAMES} 1 {count} string"));
+        mesh.tag_names().iter().for_each(|(_, name)| string(&mut out, name.as_bytes()));
+        out.push(b'\n');
     }
     head(&mut out, format_args!("POINTS {rows} double"));
     let position = |row: u32| mesh.vertices()[mesh.vertex_of_row(row) as usize].to_array();
@@ -91,6 +92,20 @@ fn put(out: &mut Vec<u8>, number: Number, values: impl Iterator<Item = f64>) {
     }
 }
 
+/// A string behind the count of its bytes, whose first two bits say how many bytes the count has.
+fn string(out: &mut Vec<u8>, text: &[u8]) {
+    let (size, bits) = match text.len() {
+        0..=0x3f => (1, 3),
+        0x40..=0x3fff => (2, 2),
+        0x4000..=0x3fff_ffff => (4, 1),
+        _ => (8, 0),
+    };
+    let at = out.len();
+    out.extend_from_slice(&(text.len() as u64).to_be_bytes()[8 - size..]);
+    out[at] |= bits << 6;
+    out.extend_from_slice(text);
+}
+
 fn type_name(number: Number) -> &'static str {
     match number {
         Number::I8 => "char",
@@ -99,8 +114,9 @@ fn type_name(number: Number) -> &'static str {
         Number::U16 => "unsigned_short",
         Number::I32 => "int",
         Number::U32 => "unsigned_int",
-        Number::I64 => "long",
-        Number::U64 => "unsigned_long",
+        // How many bytes a long has depends on the reader's system.
+        Number::I64 => "vtktypeint64",
+        Number::U64 => "vtktypeuint64",
         Number::F32 => "float",
         Number::F64 => "double",
     }

@@ -9,6 +9,7 @@ use crate::error::{Error, Result, try_with_capacity};
 use crate::io::number::Number;
 use crate::io::text::one_line;
 use crate::io::words::Words;
+use std::borrow::Cow;
 
 /// An array, not decoded yet.
 pub(super) struct Array<'a> {
@@ -64,11 +65,10 @@ impl<'a> Array<'a> {
         if count == 0 {
             return Ok(Vec::new());
         }
-        document.decoded.set(document.decoded.get().saturating_add(bytes));
         match self.form(document)? {
-            Form::Text => self.numbers_of_text(document, count),
+            Form::Text => self.numbers_of_text(document, count, number),
             Form::Bytes(mut source) => {
-                let bytes = document.encoding.read(&mut source, Some(bytes)).map_err(|e| self.named(&e))?;
+                let bytes = self.bytes(document, &mut source, Some(bytes))?;
                 number.decode(&bytes, document.encoding.big_endian)
             }
         }
@@ -77,16 +77,37 @@ impl<'a> Array<'a> {
     /// The strings of an array of them; each ends with a zero.
     pub fn strings(&self, document: &Document<'a>) -> Result<Vec<String>> {
         let bytes = match self.form(document)? {
-            Form::Bytes(mut source) => {
-                document.encoding.read(&mut source, None).map_err(|e| self.named(&e))?.into_owned()
-            }
+            Form::Bytes(mut source) => self.bytes(document, &mut source, None)?.into_owned(),
             Form::Text => {
                 let count = self.body.split(u8::is_ascii_whitespace).filter(|w| !w.is_empty()).count();
-                self.numbers_of_text(document, count)?.into_iter().map(|x| x as u8).collect()
+                // VTK writes them as signed numbers.
+                let bytes = self.numbers_of_text(document, count, Number::I16)?;
+                if let Some(x) = bytes.iter().find(|x| !(-128.0..256.0).contains(*x)) {
+                    return Err(self.wrong(format_args!("{x} is not a byte of a string")));
+                }
+                bytes.into_iter().map(|x| x as i16 as u8).collect()
             }
         };
         let ended = bytes.strip_suffix(b"\0").unwrap_or(&bytes);
         Ok(ended.split(|b| *b == 0).map(|name| one_line(&String::from_utf8_lossy(name))).collect())
+    }
+
+    /// Its bytes, decompressed. All arrays together may take as many of the file as there are, or few could be read
+    /// again and again.
+    fn bytes<'s>(&self, document: &Document, source: &mut Source<'s>, wanted: Option<usize>) -> Result<Cow<'s, [u8]>> {
+        let before = source.offset();
+        let bytes = document.encoding.read(source, wanted).map_err(|e| self.named(&e))?;
+        let taken = document.taken.get().saturating_add(source.offset() - before);
+        if taken > document.bytes.len() {
+            let size = document.bytes.len();
+            let what = format!("offset {}: {}data are shared: {taken} bytes of {size}", self.tag.at, self.label());
+            return Err(Error::unsupported(what));
+        }
+        document.taken.set(taken);
+        if document.encoding.zlib {
+            document.decompressed.set(document.decompressed.get().saturating_add(bytes.len()));
+        }
+        Ok(bytes)
     }
 
     /// The error at this array.
@@ -125,21 +146,22 @@ impl<'a> Array<'a> {
         })
     }
 
-    fn numbers_of_text(&self, document: &Document<'a>, count: usize) -> Result<Vec<f64>> {
+    fn numbers_of_text(&self, document: &Document<'a>, count: usize, number: Number) -> Result<Vec<f64>> {
         // Two characters a number are the least.
         let mut values = try_with_capacity("values", count.min(self.body.len() / 2 + 1))?;
         let mut words = Words::new(self.body);
         for _ in 0..count {
             let word = words.next();
-            match std::str::from_utf8(word).ok().and_then(|w| w.parse().ok()) {
+            match number.parsed(word) {
                 Some(x) => values.push(x),
                 None if word.is_empty() => {
                     let there = values.len();
                     return Err(self.at_word(document, &words, format_args!("{there} numbers, not {count}")));
                 }
                 None => {
-                    let word = shortened(&String::from_utf8_lossy(word));
-                    return Err(self.at_word(document, &words, format_args!("\"{word}\" is not a number")));
+                    let of = Number::F64.parsed(word).map(|_| format!(" of the type {}", number.name()));
+                    let (word, of) = (shortened(&String::from_utf8_lossy(word)), of.unwrap_or_default());
+                    return Err(self.at_word(document, &words, format_args!("\"{word}\" is not a number{of}")));
                 }
             }
         }

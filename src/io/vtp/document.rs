@@ -65,8 +65,9 @@ pub(super) struct Document<'a> {
     /// Those outside pieces, then those of each piece.
     arrays: Vec<Array<'a>>,
     pub appended: Option<Appended<'a>>,
-    /// Bytes of data that were decoded so far.
-    pub decoded: Cell<usize>,
+    /// Bytes that compressed data had so far, and bytes of the file that were read for data.
+    pub decompressed: Cell<usize>,
+    pub taken: Cell<usize>,
 }
 
 impl<'a> Document<'a> {
@@ -84,9 +85,22 @@ impl<'a> Document<'a> {
             return Err(Error::unsupported(what));
         }
         let (pieces, arrays) = (Vec::new(), Vec::new());
-        let mut document = Document { bytes, encoding, pieces, arrays, appended: None, decoded: Cell::new(0) };
+        let mut document = Document {
+            bytes,
+            encoding,
+            pieces,
+            arrays,
+            appended: None,
+            decompressed: Cell::new(0),
+            taken: Cell::new(0),
+        };
         document.elements(&mut xml)?;
         Ok(document)
+    }
+
+    /// Bytes of the file once it is decompressed.
+    pub fn size(&self) -> usize {
+        self.bytes.len().saturating_add(self.decompressed.get())
     }
 
     /// The arrays outside pieces.

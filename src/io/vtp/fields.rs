@@ -61,8 +61,8 @@ impl Fields {
             if !repeats.is_empty() {
                 // What is repeated must stay in proportion to the data.
                 self.repeated = self.repeated.saturating_add(total.saturating_mul(components));
-                if self.repeated > document.decoded.get() {
-                    let (n, data) = (self.repeated, document.decoded.get());
+                if self.repeated > document.size() {
+                    let (n, data) = (self.repeated, document.size());
                     return Err(Error::unsupported(format!(
                         "array \"{name}\": {n} values of the triangles of strips are too many for {data} bytes of data"
                     )));

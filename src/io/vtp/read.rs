@@ -5,14 +5,14 @@ use super::cells::{Cells, ends};
 use super::document::{Document, Section};
 use super::fields::Fields;
 use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::io::proportion::Demand;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Field, FieldType, Input, LARGEST_COORDINATE};
-use std::collections::BTreeMap;
 
 /// The cell data that is the tags, and the arrays outside pieces that name them.
 pub(in crate::io) const TAG: &str = "tag";
-pub(super) const TAG_NUMBERS: &str = "tag_numbers";
-pub(super) const TAG_NAMES: &str = "tag_names";
+pub(in crate::io) const TAG_NUMBERS: &str = "tag_numbers";
+pub(in crate::io) const TAG_NAMES: &str = "tag_names";
 
 /// Reads a file. A face's number is that of its cell, piece after piece, in each in the order of VTK's reader:
 /// vertices and lines, which are no faces, then strips, of which each triangle counts, then polygons. Cell data
@@ -39,6 +39,7 @@ pub(in crate::io) fn read(bytes: &[u8]) -> Result<Input> {
         }
     }
     input.tag_names = tag_names(&document)?;
+    Demand::of(&input).check(document.size())?;
     Ok(input)
 }
 
@@ -79,6 +80,10 @@ impl Surface {
         if total >= u32::MAX as usize {
             return Err(Error::unsupported(format!("faces: {total} are more than {}", u32::MAX - 1)));
         }
+        let corners = [polys.corners.len(), triangles.saturating_mul(3)]
+            .iter()
+            .fold(self.faces.corners.len(), |sum, n| sum.saturating_add(*n));
+        Demand { points: self.positions.len(), corners, ..Demand::default() }.check(document.size())?;
         self.numbers += (verts + lines) as u32;
         strips.add_strips(&mut self.faces, &mut self.numbers)?;
         polys.add_polygons(&mut self.faces, &mut self.numbers)?;
@@ -121,7 +126,7 @@ impl Surface {
     }
 }
 
-/// Names of tags, ascending by tag; of several names of a tag the first stays.
+/// The names of tags that arrays outside pieces hold.
 fn tag_names(document: &Document) -> Result<Vec<(i32, String)>> {
     let (mut numbers, mut names) = (None, None);
     for array in document.field_data() {
@@ -135,12 +140,27 @@ fn tag_names(document: &Document) -> Result<Vec<(i32, String)>> {
     if numbers.len() != names.len() {
         return Err(array.wrong(format_args!("{} names of {} tags", names.len(), numbers.len())));
     }
-    let mut named = BTreeMap::new();
-    for (number, name) in numbers.into_iter().zip(names) {
+    let mut names = names.into_iter();
+    named_tags(numbers, || Ok(names.next().unwrap_or_default()), |what| array.wrong(what))
+}
+
+/// Tags with their names, ascending by tag. Of several names of a tag the first stays; an empty one is none.
+pub(in crate::io) fn named_tags(
+    numbers: Vec<f64>,
+    mut name: impl FnMut() -> Result<String>,
+    wrong: impl Fn(&str) -> Error,
+) -> Result<Vec<(i32, String)>> {
+    let mut named = try_with_capacity("names", numbers.len())?;
+    for number in numbers {
+        let name = name()?;
         if f64::from(number as i32) != number {
-            return Err(array.wrong(format_args!("\"{name}\" is the name of {number}, which is no tag")));
+            return Err(wrong(&format!("\"{name:.40}\" is the name of {number}, which is no tag")));
         }
-        named.entry(number as i32).or_insert(name);
+        if !name.is_empty() {
+            named.push((number as i32, name));
+        }
     }
-    Ok(named.into_iter().filter(|(_, name)| !name.is_empty()).collect())
+    named.sort_by_key(|(tag, _)| *tag);
+    named.dedup_by_key(|(tag, _)| *tag);
+    Ok(named)
 }
