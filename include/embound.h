@@ -441,9 +441,10 @@ typedef struct emb_repair_options {
   // EMB_REPAIR_HOLES: holes with more edges stay; 1,000 by default, 2,048 at most. Filling one takes the cube of
   // their number: 1,000 edges take 1.5 seconds, 2,000 take 13.
   size_t hole_edges;
-  // EMB_REPAIR_HOLES: holes whose rim is longer than this times the diagonal of the box around the faces that edges
-  // connect with it stay. 0.5 by default, the rim of a round hole of 0.16 diagonals across: what a scanner did not
-  // see, and not the open end of a pipe or a box without a lid. The rim of a flat sheet is at least 2.
+  // EMB_REPAIR_HOLES: holes of more than three edges (three are a missing triangle) stay where their rim is longer
+  // than this times the diagonal of the box around the faces that edges connect with it. 0.5 by default, the rim of
+  // a round hole of 0.16 diagonals across: what a scanner did not see, and not the open end of a pipe or a box
+  // without a lid. The rim of a flat sheet is at least 2.
   double hole_length;
 } emb_repair_options;
 
