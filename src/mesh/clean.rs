@@ -69,19 +69,24 @@ pub(super) fn add_corner(ring: &mut Vec<Corner>, v: Corner) -> bool {
 /// The same across the end of the ring.
 pub(super) fn close_ring(ring: &mut Vec<Corner>) -> bool {
     let before = ring.len();
+    // Where it begins now: taking the first corner away again and again would be quadratic.
+    let mut from = 0;
     loop {
         let n = ring.len();
-        if n > 1 && ring[n - 1].0 == ring[0].0 {
+        let left = n - from;
+        if left > 1 && ring[n - 1].0 == ring[from].0 {
             ring.pop();
-        } else if n > 2 && ring[n - 2].0 == ring[0].0 {
+        } else if left > 2 && ring[n - 2].0 == ring[from].0 {
             ring.truncate(n - 2);
-        } else if n > 2 && ring[n - 1].0 == ring[1].0 {
+        } else if left > 2 && ring[n - 1].0 == ring[from + 1].0 {
             ring.pop();
-            ring.remove(0);
+            from += 1;
         } else {
-            return n < before;
+            break;
         }
     }
+    ring.drain(..from);
+    ring.len() < before
 }
 
 /// Leaves out vertices that no face uses any more.

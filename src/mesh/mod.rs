@@ -15,7 +15,6 @@ mod element;
 mod faces;
 mod half_edge;
 mod input;
-mod least_area;
 mod lobes;
 mod measure;
 mod nesting;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Faces cut into triangles.
 
-use super::faces::Faces;
-use super::least_area::least_area;
+use super::faces::{Faces, filled};
 use super::lobes::Lobes;
 use super::{Triangle, ears};
 use crate::error::{Result, try_copy, try_with_capacity};
 use crate::math::{Aabb, Vec3, length, unit};
+use crate::primitive::least_area::{Stretch, least_area};
 use crate::primitive::polygon;
 
 /// Off the plane of a face by at most this part of its size, and by what rounding to f32 explains: beyond, a
@@ -86,9 +86,8 @@ impl Scratch {
         // Sides between two corners at one vertex are allowed: where a face touches itself in a vertex the triangles
         // there have no area, and any others would cover what the face does not.
         let points: Vec<Vec3> = points.collect();
-        if let Some(triangles) = least_area(&points, &|_, _| false)? {
-            self.triangles = triangles;
-        }
+        let mut table = filled("sides of a face", n * n, Stretch::default())?;
+        least_area(&points, |_, _| false, &mut table, &mut self.triangles);
         Ok(false)
     }
 

@@ -21,7 +21,7 @@ impl Stretch {
 }
 
 /// Spans a loop of n points with n - 2 triangles, whose corners ascend, of the least total area, slivers aside
-/// ([`THIN`]; flat ones only where nothing else is left); of equal ones those whose tips are lowest. Diagonals for
+/// ([`THIN`]; flat ones of three points only where nothing else is left); of equal ones those whose tips are lowest. Diagonals for
 /// which `forbidden(i, k)`, i < k, holds are not used; the loop's own edges are not asked about. `table` is scratch
 /// of n * n; `out` takes n - 2 triangles, as indices into `points`. False, with `out` untouched, where fewer than
 /// three points are given, where a buffer is too short and where the diagonals left give no triangulation. Points may
@@ -75,8 +75,12 @@ fn best(points: &[Vec3], table: &[Stretch], i: usize, k: usize, worst: f64) -> S
     best
 }
 
-/// The area of a triangle, and more where it is thin; where the area alone is beyond `enough`, that.
+/// The area of a triangle, and more where it is thin; where the area alone is beyond `enough`, that. One of two equal
+/// corners costs nothing: where a loop comes to a point again, it is what parts the lobes.
 fn cost(a: Vec3, b: Vec3, c: Vec3, enough: f64, worst: f64) -> f64 {
+    if a == b || b == c || c == a {
+        return 0.0;
+    }
     let (u, v, w) = (b - a, c - b, a - c);
     let area = 0.5 * length(u.cross(w));
     if area > enough {
