@@ -7,9 +7,11 @@ mod build;
 mod nearest;
 mod overlap;
 mod pairs;
+mod witness;
 
 pub(crate) use nearest::{GROUP, LeafDistance, nearest, nearest_for_group};
 pub(crate) use pairs::{ALONE, Pairs};
+pub(crate) use witness::{Corners, Eight, LeafList, WITNESSES};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};
 use crate::simd::lanes::WIDTH;

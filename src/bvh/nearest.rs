@@ -204,11 +204,7 @@ fn order(bits: i32) -> i32 {
 #[inline(always)]
 fn box_keys<S: Simd, const SIGNED: bool>(simd: S, node: &Node, at: [f32; 3]) -> <S::Float as Float8<S>>::Keys {
     let zero = S::Float::splat(simd, 0.0);
-    let outside = |axis: usize| {
-        let at = S::Float::splat(simd, at[axis]);
-        S::Float::load(simd, &node.lo[axis]).sub(at).max(at.sub(S::Float::load(simd, &node.hi[axis])))
-    };
-    let (u, v, w) = (outside(0), outside(1), outside(2));
+    let [u, v, w] = [outside(simd, node, at, 0), outside(simd, node, at, 1), outside(simd, node, at, 2)];
     let (x, y, z) = (u.max(zero), v.max(zero), w.max(zero));
     let squares = x.mul(x).add(y.mul(y)).add(z.mul(z));
     if SIGNED {
@@ -219,4 +215,11 @@ fn box_keys<S: Simd, const SIGNED: bool>(simd: S, node: &Node, at: [f32; 3]) -> 
     } else {
         squares.keys(&node.child)
     }
+}
+
+/// How far a point is outside the boxes along an axis; negative inside.
+#[inline(always)]
+fn outside<S: Simd>(simd: S, node: &Node, at: [f32; 3], axis: usize) -> S::Float {
+    let at = S::Float::splat(simd, at[axis]);
+    S::Float::load(simd, &node.lo[axis]).sub(at).max(at.sub(S::Float::load(simd, &node.hi[axis])))
 }

@@ -4,6 +4,8 @@
 use super::Geometry;
 use super::node::Node;
 use super::shape::Shape;
+use super::surface::Block;
+use crate::error::Result;
 use crate::math::{Vec3, positive_zero};
 
 /// Deeper than this, many points are asked for one after another: blocks need stack.
@@ -102,5 +104,35 @@ impl Geometry {
             Node::Part(g, _) => g.raw_values(points, out),
             _ => one_by_one(out),
         }
+    }
+
+    /// Whether blocks of a lattice cost less than its points one after another.
+    pub(crate) fn has_blocks(&self) -> bool {
+        match self.node() {
+            Node::Surface(_) => true,
+            Node::Complement(g) | Node::Translate(g, _) | Node::Part(g, _) => g.has_blocks(),
+            _ => false,
+        }
+    }
+
+    /// The values over a block of a lattice, x fastest, where [`Geometry::has_blocks`]: the bits of [`Geometry::value`] up
+    /// to a magnitude of `far`, beyond it any such magnitude with the right sign.
+    pub(crate) fn block_values(&self, axes: [&[f64]; 3], far: f64, out: &mut [f64]) -> Result<()> {
+        match self.node() {
+            Node::Surface(surface) => surface.block_values(&Block { axes, far }, out)?,
+            Node::Complement(g) => {
+                g.block_values(axes, far, out)?;
+                out.iter_mut().for_each(|value| *value = 0.0 - *value);
+            }
+            Node::Translate(g, shift) => {
+                let shifted = |axis: usize| axes[axis].iter().map(|c| c - shift[axis]).collect::<Vec<f64>>();
+                let [x, y, z] = [shifted(0), shifted(1), shifted(2)];
+                g.block_values([&x, &y, &z], far, out)?;
+            }
+            Node::Part(g, _) => g.block_values(axes, far, out)?,
+            _ => {}
+        }
+        out.iter_mut().for_each(|value| *value = positive_zero(*value));
+        Ok(())
     }
 }

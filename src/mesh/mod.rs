@@ -36,7 +36,7 @@ pub use diagnosis::{
     Lists, NO_COMPONENT, NonmanifoldVertex,
 };
 pub use element::{Element, Measure};
-pub(crate) use faces::{Faces, Sets};
+pub(crate) use faces::{Faces, Sets, filled};
 pub use half_edge::HalfEdges;
 pub(crate) use input::Input;
 pub use options::{MeshOptions, Orient};

@@ -71,22 +71,41 @@ impl Estimates {
         self.inverse[1].0[lane] = inverse(tip[0], tip[1]);
     }
 
+    /// Copies a lane of others.
+    pub(crate) fn copy(&mut self, lane: usize, from: &Estimates, from_lane: usize) {
+        for axis in 0..3 {
+            self.origin[axis].0[lane] = from.origin[axis].0[from_lane];
+            for row in 0..3 {
+                self.axes[row][axis].0[lane] = from.axes[row][axis].0[from_lane];
+            }
+        }
+        self.b.0[lane] = from.b.0[from_lane];
+        for k in 0..2 {
+            self.c[k].0[lane] = from.c[k].0[from_lane];
+            self.inverse[k].0[lane] = from.inverse[k].0[from_lane];
+        }
+    }
+
     /// The distances of a point.
     #[inline(always)]
-    pub(crate) fn distances<S: Simd>(&self, simd: S, at: [S::Float; 3]) -> S::Float {
-        let load = |lanes: &F32x8| S::Float::load(simd, &lanes.0);
+    pub(crate) fn distances<S: Simd>(&self, simd: S, at: [f32; 3]) -> S::Float {
         let zero = S::Float::splat(simd, 0.0);
-        let to = [at[0].sub(load(&self.origin[0])), at[1].sub(load(&self.origin[1])), at[2].sub(load(&self.origin[2]))];
-        let along =
-            |axis: &[F32x8; 3]| to[0].mul(load(&axis[0])).add(to[1].mul(load(&axis[1]))).add(to[2].mul(load(&axis[2])));
-        let (x, y, z) = (along(&self.axes[0]), along(&self.axes[1]), along(&self.axes[2]));
-        let (b, cx, cy) = (load(&self.b), load(&self.c[0]), load(&self.c[1]));
+        let mut frame = [zero; 3];
+        for axis in 0..3 {
+            let to = S::Float::splat(simd, at[axis]).sub(load(simd, &self.origin[axis]));
+            for row in 0..3 {
+                let part = to.mul(load(simd, &self.axes[row][axis]));
+                frame[row] = if axis == 0 { part } else { frame[row].add(part) };
+            }
+        }
+        let [x, y, z] = frame;
+        let (b, cx, cy) = (load(simd, &self.b), load(simd, &self.c[0]), load(simd, &self.c[1]));
 
         let beyond = x.sub(x.max(zero).min(b));
         let base = beyond.mul(beyond).add(y.mul(y));
         let (ex, qx) = (cx.sub(b), x.sub(b));
-        let right = segment(simd, [qx, y], [ex, cy], load(&self.inverse[0]));
-        let left = segment(simd, [x, y], [cx, cy], load(&self.inverse[1]));
+        let right = segment(simd, [qx, y], [ex, cy], load(simd, &self.inverse[0]));
+        let left = segment(simd, [x, y], [cx, cy], load(simd, &self.inverse[1]));
         let edges = base.min(right).min(left);
 
         let inside_right = ex.mul(y).sub(cy.mul(qx));
@@ -95,6 +114,11 @@ impl Estimates {
         let planar = edges.zero_where_positive(inside);
         planar.add(z.mul(z)).sqrt()
     }
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, lanes: &F32x8) -> S::Float {
+    S::Float::load(simd, &lanes.0)
 }
 
 /// Squared distance of a point from the segment from the origin to `end`.
@@ -131,7 +155,7 @@ mod tests {
 
         #[inline(always)]
         fn run<S: Simd>(self, simd: S) -> [f32; WIDTH] {
-            let at = [self.1.x, self.1.y, self.1.z].map(|c| S::Float::splat(simd, c as f32));
+            let at = self.1.to_array().map(|c| c as f32);
             self.0.distances(simd, at).lanes()
         }
     }

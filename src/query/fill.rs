@@ -51,6 +51,9 @@ pub fn fill(
             "mode: of a part of this geometry only the sign is known (EMB_SIGN_ONLY): fill with EMB_FILL_SIGN, or make a callback with a kind, an expression with finite bounds and emb_geom_lower_bound",
         ));
     }
+    if g.has_blocks() {
+        return in_blocks(g, lattice, mode, run, emit);
+    }
     let [x, y, z] = lattice.axes;
     in_row_pieces(&suited(g, run), lattice.n(), &|at, count| {
         let (mut points, mut values) = ([Vec3::ZERO; CHUNK], [0.0; CHUNK]);
@@ -63,6 +66,43 @@ pub fn fill(
             *value = mode.of(*value);
         }
         emit(at, &values[..count]);
+        Ok(())
+    })
+}
+
+/// Points along each axis of a block that is filled as one.
+const BLOCK: [usize; 3] = [16, 16, 32];
+
+/// Block by block.
+fn in_blocks(
+    g: &Geometry,
+    lattice: &Lattice,
+    mode: FillMode,
+    run: &Run,
+    emit: &(dyn Fn([usize; 3], &[f64]) + Sync),
+) -> Result<()> {
+    let n = lattice.n();
+    if n.contains(&0) {
+        return Ok(());
+    }
+    let far = match mode {
+        FillMode::Exact => f64::INFINITY,
+        FillMode::Band(band) => band,
+        FillMode::Sign => 0.0,
+    };
+    let count = [0, 1, 2].map(|axis| n[axis].div_ceil(BLOCK[axis]));
+    run.for_each_chunk(count[0] * count[1] * count[2], &|chunk| {
+        let at = [chunk % count[0], chunk / count[0] % count[1], chunk / count[0] / count[1]];
+        let from = [0, 1, 2].map(|axis| at[axis] * BLOCK[axis]);
+        let axes = [0, 1, 2].map(|axis| &lattice.axes[axis][from[axis]..n[axis].min(from[axis] + BLOCK[axis])]);
+        let [width, height, depth] = axes.map(<[f64]>::len);
+        let mut values = [0.0; BLOCK[0] * BLOCK[1] * BLOCK[2]];
+        let values = &mut values[..width * height * depth];
+        g.block_values(axes, far, values)?;
+        values.iter_mut().for_each(|value| *value = mode.of(*value));
+        for (row, values) in values.chunks(width).enumerate() {
+            emit([from[0], from[1] + row % height, from[2] + row / height], values);
+        }
         Ok(())
     })
 }

@@ -4,11 +4,14 @@
 
 mod build;
 mod check;
+mod columns;
 mod crossings;
 mod nearest;
 mod sign;
+mod tile;
 
 pub(crate) use nearest::Nearest;
+pub(crate) use tile::Block;
 
 use crate::bvh::Tree;
 use crate::geometry::SignMethod;

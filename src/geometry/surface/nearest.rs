@@ -5,7 +5,7 @@
 //! than the nearest by more than twice the bound of an estimate is kept, and the kernel decides at the end among the
 //! few that are left, so the answer is that of the kernel over all triangles to the bit.
 
-use super::{NO_TRIANGLE, Surface};
+use super::{Leaf, NO_TRIANGLE, Surface};
 use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::math::{Vec3, length};
 use crate::primitive::estimate;
@@ -32,13 +32,19 @@ pub(crate) struct Nearest {
 
 /// What a search has found so far.
 #[derive(Clone, Copy)]
-struct Best {
+pub(super) struct Best {
     foot: Foot<f64>,
     triangle: u32,
 }
 
+impl Nearest {
+    pub(super) const NONE: Nearest =
+        Nearest { distance: f64::INFINITY, triangle: 0, feature: 0, along: 0.0, point: Vec3::ZERO };
+}
+
 impl Best {
-    const NONE: Best = Best { foot: Foot { squared: f64::INFINITY, feature: 0.0, along: 0.0 }, triangle: NO_TRIANGLE };
+    pub(super) const NONE: Best =
+        Best { foot: Foot { squared: f64::INFINITY, feature: 0.0, along: 0.0 }, triangle: NO_TRIANGLE };
 
     #[inline(always)]
     fn offer(&mut self, foot: Foot<f64>, triangle: u32) {
@@ -91,45 +97,72 @@ impl Kernel for SearchGroup<'_> {
     }
 }
 
-/// Triangles that may be the nearest, as the search goes from leaf to leaf.
-struct Candidates<'a> {
+/// Triangles that may be the nearest, which wait for the kernel.
+pub(super) struct Waiting<'a> {
     surface: &'a Surface,
     p: Vec3,
-    /// The point as the tree and its leaves have it.
-    at: [f32; 3],
-    /// Twice the bound of an estimate.
-    room: f32,
     /// The least estimate.
     nearest: f32,
     estimates: [f32; WAITING],
     triangles: [u32; WAITING],
     count: usize,
     /// Of those that do not wait any more.
-    best: &'a mut Best,
+    pub(super) best: Best,
 }
 
-impl<'a> Candidates<'a> {
+impl<'a> Waiting<'a> {
     #[inline(always)]
-    fn new(surface: &'a Surface, tree: &Tree, p: Vec3, best: &'a mut Best) -> Candidates<'a> {
-        let at = tree.place(p);
-        let room = (2.0 * estimate::ERROR * (1.0 + at.abs().max_element())) as f32;
-        Candidates {
-            surface,
-            p,
-            at: [at.x as f32, at.y as f32, at.z as f32],
-            room,
-            nearest: f32::INFINITY,
-            estimates: [0.0; WAITING],
-            triangles: [0; WAITING],
-            count: 0,
-            best,
+    pub(super) fn new(surface: &'a Surface, p: Vec3) -> Waiting<'a> {
+        let (estimates, triangles) = ([0.0; WAITING], [0; WAITING]);
+        Waiting { surface, p, nearest: f32::INFINITY, estimates, triangles, count: 0, best: Best::NONE }
+    }
+
+    /// Looks at a leaf from a point as the tree places it; the estimate beyond which nothing is of interest. `room` is
+    /// twice the bound of an estimate.
+    #[inline(always)]
+    pub(super) fn look<S: Simd>(&mut self, simd: S, leaf: &Leaf, at: [f32; 3], room: f32) -> f32 {
+        let estimates = leaf.estimates.distances(simd, at);
+        let least = estimates.least();
+        self.nearest = if least < self.nearest { least } else { self.nearest };
+        let limit = self.nearest + room;
+        let mut near = estimates.not_above(limit);
+        if near != 0 && self.count > WAITING - WIDTH {
+            // Where many are as near as each other, the kernel is asked about them on the way.
+            self.sift(limit);
+            if self.count > WAITING / 2 {
+                self.settle();
+            }
         }
+        let estimates = estimates.lanes();
+        while near != 0 {
+            let k = near.trailing_zeros() as usize & (WIDTH - 1);
+            near &= near - 1;
+            if leaf.triangle[k] != NO_TRIANGLE {
+                self.push(leaf.triangle[k], estimates[k]);
+            }
+        }
+        limit
+    }
+
+    /// Adds one more.
+    #[inline(always)]
+    pub(super) fn add(&mut self, triangle: u32, estimate: f32) {
+        if self.count == WAITING {
+            self.settle();
+        }
+        self.push(triangle, estimate);
+    }
+
+    #[inline(always)]
+    fn push(&mut self, triangle: u32, estimate: f32) {
+        let slot = self.count & (WAITING - 1);
+        (self.estimates[slot], self.triangles[slot]) = (estimate, triangle);
+        self.count += 1;
     }
 
     /// Leaves those that are still near enough.
     #[inline(always)]
-    fn sift(&mut self) {
-        let limit = self.nearest + self.room;
+    fn sift(&mut self, limit: f32) {
         let mut left = 0;
         for k in 0..self.count {
             (self.estimates[left], self.triangles[left]) = (self.estimates[k], self.triangles[k]);
@@ -140,9 +173,16 @@ impl<'a> Candidates<'a> {
         self.count = left;
     }
 
+    /// Asks the kernel about all that are still near enough.
+    #[inline(always)]
+    pub(super) fn settle_all(&mut self, room: f32) {
+        self.sift(self.nearest + room);
+        self.settle();
+    }
+
     /// Asks the kernel about all that wait.
     #[inline(always)]
-    fn settle(&mut self) {
+    pub(super) fn settle(&mut self) {
         for from in (0..self.count).step_by(WIDTH) {
             let all = &self.triangles[from..self.count.min(from + WIDTH)];
             if let &[triangle] = all {
@@ -159,47 +199,36 @@ impl<'a> Candidates<'a> {
     }
 }
 
+/// The search as it goes from leaf to leaf.
+struct Candidates<'a> {
+    waiting: Waiting<'a>,
+    /// The point as the tree and its leaves have it.
+    at: [f32; 3],
+    /// Twice the bound of an estimate.
+    room: f32,
+    out: &'a mut Best,
+}
+
+impl<'a> Candidates<'a> {
+    #[inline(always)]
+    fn new(surface: &'a Surface, tree: &Tree, p: Vec3, out: &'a mut Best) -> Candidates<'a> {
+        let at = tree.place(p);
+        let room = (2.0 * estimate::ERROR * (1.0 + at.abs().max_element())) as f32;
+        Candidates { waiting: Waiting::new(surface, p), at: [at.x as f32, at.y as f32, at.z as f32], room, out }
+    }
+}
+
 impl<S: Simd> LeafDistance<S> for Candidates<'_> {
     #[inline(always)]
     fn visit(&mut self, simd: S, leaf: usize) -> f32 {
-        let leaf = &self.surface.leaves[leaf];
-        let at = [0, 1, 2].map(|axis| S::Float::splat(simd, self.at[axis]));
-        let estimates = leaf.estimates.distances(simd, at);
-        let least = estimates.least();
-        self.nearest = if least < self.nearest { least } else { self.nearest };
-        let limit = self.nearest + self.room;
-        let mut near = estimates.not_above(limit);
-        let estimates = estimates.lanes();
-        if near != 0 && self.count > WAITING - WIDTH {
-            self.make_room();
-        }
-        while near != 0 {
-            let k = near.trailing_zeros() as usize & (WIDTH - 1);
-            near &= near - 1;
-            if leaf.triangle[k] != NO_TRIANGLE {
-                let slot = self.count & (WAITING - 1);
-                (self.estimates[slot], self.triangles[slot]) = (estimates[k], leaf.triangle[k]);
-                self.count += 1;
-            }
-        }
-        limit
+        let leaf = &self.waiting.surface.leaves[leaf];
+        self.waiting.look(simd, leaf, self.at, self.room)
     }
 
     #[inline(always)]
     fn finish(&mut self) {
-        self.sift();
-        self.settle();
-    }
-}
-
-impl Candidates<'_> {
-    /// Where many are as near as each other, the kernel is asked about them on the way.
-    #[inline(always)]
-    fn make_room(&mut self) {
-        self.sift();
-        if self.count > WAITING / 2 {
-            self.settle();
-        }
+        self.waiting.settle_all(self.room);
+        *self.out = self.waiting.best;
     }
 }
 
@@ -271,7 +300,7 @@ impl Surface {
     }
 
     /// What there is to know of the triangle found.
-    fn at(&self, p: Vec3, best: Best) -> Nearest {
+    pub(super) fn at(&self, p: Vec3, best: Best) -> Nearest {
         // Beyond 1e154 every squared distance is infinite and the first triangle stands for all.
         let (triangle, foot) = match best.triangle {
             NO_TRIANGLE => (0, self.foot(0, p)),

@@ -23,7 +23,7 @@ impl Surface {
     /// The signed distance of a point whose nearest triangle is known.
     pub(crate) fn signed(&self, p: Vec3, nearest: &Nearest) -> f64 {
         let d = nearest.distance;
-        if d == 0.0 || self.sign == Sign::Unsigned || !self.is_inside(p, nearest) { d } else { -d }
+        if self.sign_by_normal(p, nearest).unwrap_or_else(|| self.winding(p) >= 1) { -d } else { d }
     }
 
     /// Gradient of the signed distance, which is `value` at `p`; on the surface, the pseudonormal.
@@ -44,19 +44,23 @@ impl Surface {
         nearest.distance > CLEAR_DISTANCE * self.diagonal.max(self.reach())
     }
 
-    fn is_inside(&self, p: Vec3, nearest: &Nearest) -> bool {
+    /// Whether a point is inside where that takes no crossings to know; on the surface the sign is positive.
+    pub(super) fn sign_by_normal(&self, p: Vec3, nearest: &Nearest) -> Option<bool> {
+        if nearest.distance == 0.0 || self.sign == Sign::Unsigned {
+            return Some(false);
+        }
         if !self.bounds.contains(p) {
             // Far away, rounding may choose any triangle as the nearest one.
-            return self.far_winding >= 1;
+            return Some(self.far_winding >= 1);
         }
         if self.sign == Sign::Pseudonormal && self.is_clear(nearest) {
             let (offset, normal) = (p - nearest.point, self.pseudonormal(nearest));
             let along = offset.dot(normal);
             if along.abs() > CLEAR_COSINE * length(offset) * length(normal) {
-                return along < 0.0;
+                return Some(along < 0.0);
             }
         }
-        self.winding(p) >= 1
+        None
     }
 
     /// The pseudonormal of the nearest feature; zero where it decides nothing.
