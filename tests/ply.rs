@@ -353,3 +353,25 @@ fn elements_that_would_mix_up_data_are_refused() {
     bytes[split] = b'\n';
     assert!(read(&bytes).is_ok());
 }
+
+#[test]
+fn large_strips_joined_by_triangles_without_area_are_read() {
+    // Three columns of points, a ribbon of one long strip: half of its triangles only turn its corners.
+    let rows = 60_000u32;
+    let mut xyz = Vec::new();
+    for k in 0..rows {
+        (0..3).for_each(|i| xyz.extend([i as f32, k as f32, 0.0].map(f32::to_le_bytes).concat()));
+    }
+    let mut strip = Vec::new();
+    for k in 0..rows - 1 {
+        let row: Vec<u32> = (0..3).flat_map(|i| [3 * (k + 1) + i, 3 * k + i]).collect();
+        strip.extend([row[0]].iter().chain(&row).chain(&row[5..]).flat_map(|v| (*v as i32).to_le_bytes()));
+    }
+    let header = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n",
+        3 * rows
+    );
+    let length = (strip.len() as i32 / 4).to_le_bytes().to_vec();
+    let mesh = read(&[header.into_bytes(), xyz, length, strip].concat()).unwrap();
+    assert_eq!((mesh.report().faces, mesh.report().boundary_edges), (4 * (rows as usize - 1), 2 * (rows as usize + 1)));
+}

@@ -203,13 +203,15 @@ fn read_strips(element: &Element, vertices: usize, numbers: &mut Numbers, input:
                 skip(p, numbers)?;
             }
         }
-        let corners = input.faces.corners.len().saturating_add(ring.len().saturating_mul(3));
+        // Triangles without area join the pieces of a strip.
+        let has_area = |t: &&[i64]| t.iter().all(|v| *v >= 0) && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+        let faces = ring.windows(3).filter(has_area).count();
+        let corners = input.faces.corners.len().saturating_add(faces.saturating_mul(3));
         Demand { points: vertices, corners, ..Demand::default() }.check(size)?;
         for strip in ring.split(|v| *v < 0) {
             for (k, t) in strip.windows(3).enumerate() {
                 let (a, b) = if k % 2 == 0 { (t[0], t[1]) } else { (t[1], t[0]) };
-                // Triangles without area join the pieces of a strip.
-                if a != b && b != t[2] && a != t[2] {
+                if has_area(&t) {
                     let number = next_number(input, numbers)?;
                     push(input, [a, b, t[2]].into_iter().map(|v| v as u32), number)?;
                 }

@@ -213,7 +213,7 @@ impl<'a> File<'a> {
         let end = self.cursor.place();
         let triangles: usize = self.strips.strip_lengths().sum();
         let data = self.of_cells.components().saturating_mul(triangles);
-        let corners = self.polygons.corners.len() + 3 * triangles;
+        let corners = self.polygons.corners.len() + 3 * self.strips.strip_faces();
         Demand { points, corners, vertex_values: 0, face_values: data }.check(size)?;
         let mut faces = Faces::with_capacity(self.polygons.count(), self.polygons.corners.len())?;
         let mut number = 0;

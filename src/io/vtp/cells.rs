@@ -93,7 +93,7 @@ impl Cells {
         for corners in self.iter() {
             for (k, triangle) in corners.windows(3).enumerate() {
                 let &[a, b, c] = triangle else { continue };
-                if a != b && b != c && c != a {
+                if has_area(triangle) {
                     faces.try_push(&if k % 2 == 0 { [a, b, c] } else { [b, a, c] }, *number)?;
                 }
                 *number += 1;
@@ -102,8 +102,18 @@ impl Cells {
         Ok(())
     }
 
+    /// The triangles of all strips that are not without area.
+    pub fn strip_faces(&self) -> usize {
+        self.iter().flat_map(|corners| corners.windows(3)).filter(|triangle| has_area(triangle)).count()
+    }
+
     /// The triangles of each strip.
     pub fn strip_lengths(&self) -> impl Iterator<Item = usize> {
         self.iter().map(|corners| corners.len().saturating_sub(2))
     }
+}
+
+/// Whether three corners of a strip are different.
+fn has_area(triangle: &[u32]) -> bool {
+    matches!(triangle, [a, b, c] if a != b && b != c && c != a)
 }

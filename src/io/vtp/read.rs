@@ -80,7 +80,7 @@ impl Surface {
         if total >= u32::MAX as usize {
             return Err(Error::unsupported(format!("faces: {total} are more than {}", u32::MAX - 1)));
         }
-        let corners = [polys.corners.len(), triangles.saturating_mul(3)]
+        let corners = [polys.corners.len(), strips.strip_faces().saturating_mul(3)]
             .iter()
             .fold(self.faces.corners.len(), |sum, n| sum.saturating_add(*n));
         Demand { points: self.positions.len(), corners, ..Demand::default() }.check(document.size())?;
