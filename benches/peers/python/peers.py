@@ -7,6 +7,7 @@ All of a set is asked in one call, so that Python costs nothing; one core is wha
 
 import sys
 import time
+from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 
@@ -49,13 +50,11 @@ def seconds(work):
 class Open3D:
     """Embree's closest point; the sign by counting crossings of rays."""
 
-    package, name, what = "open3d-cpu", "Open3D", "f32 (Embree), signed by rays, PyPI"
+    package, module, name = "open3d-cpu", "open3d", "Open3D"
+    what = "f32 (Embree), signed by rays, PyPI"
     signed, tolerance = True, 1e-4
 
-    def __init__(self, case):
-        import open3d.core
-        import open3d.t.geometry
-
+    def __init__(self, open3d, case):
         self.tensor = open3d.core.Tensor
         self.scene = open3d.t.geometry.RaycastingScene(nthreads=1)
         # Small meshes a long way from 1 lose digits in f32: the scene is the box of size 1.
@@ -76,12 +75,11 @@ class Open3D:
 class FCPW:
     """Closest points only: the package's own sign is another question."""
 
-    package, name, what = "fcpw", "FCPW", "f32, unsigned, PyPI"
+    package, module, name = "fcpw", "fcpw", "FCPW"
+    what = "f32, unsigned, PyPI"
     signed, tolerance = False, 1e-4
 
-    def __init__(self, case):
-        import fcpw
-
+    def __init__(self, fcpw, case):
         self.fcpw = fcpw
         self.shift, self.scale = case.vertices.min(axis=0), case.diagonal
         self.scene = fcpw.scene_3D()
@@ -108,12 +106,11 @@ class FCPW:
 class Libigl:
     """A tree of boxes, the sign from pseudonormals. The tree is built in every call: that time is taken off."""
 
-    package, name, what = "libigl", "libigl", "f64, signed, PyPI; its build taken off"
+    package, module, name = "libigl", "igl", "libigl"
+    what = "f64, signed, PyPI; its build taken off"
     signed, tolerance = True, 1e-9
 
-    def __init__(self, case):
-        import igl
-
+    def __init__(self, igl, case):
         self.igl = igl
         self.mesh = np.ascontiguousarray(case.vertices), case.triangles.astype(np.int64)
         self.ask(self.prepare(case.vertices[:1]))
@@ -133,7 +130,8 @@ PEERS = {"open3d": Open3D, "fcpw": FCPW, "libigl": Libigl}
 
 
 def measure(kind, case):
-    built, peer = seconds(lambda: kind(case))
+    module = import_module(kind.module)
+    built, peer = seconds(lambda: kind(module, case))
     print("peer", kind.name, version(kind.package), kind.what, sep="\t")
     print("row", case.name, "build", kind.name, f"{built:e}", "s", "-", "-", "-", sep="\t")
     for name in SETS:

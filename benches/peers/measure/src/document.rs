@@ -3,7 +3,7 @@
 
 mod tables;
 
-use crate::lines::Lines;
+use crate::lines::{Lines, Measured};
 use crate::{Arguments, Outcome, targets};
 use std::fmt::Write;
 use std::path::Path;
@@ -28,7 +28,9 @@ pub fn write(path: &Path, given: &Arguments) -> Outcome {
 
 /// What was measured, with what, and how.
 fn header(lines: &Lines) -> String {
-    let rounds = lines.rows.values().map(tables::rounds).min().unwrap_or(0);
+    // Instructions are counted once: they do not vary.
+    let timed = lines.rows.values().filter(|m| m.unit != "instructions");
+    let rounds = timed.map(Measured::rounds).min().unwrap_or(0);
     let mut out = String::from(
         "# Performance\n\nMade by `scripts/performance`, which measures everything again; do not edit. Times are \
          medians of one thread on one core, peers taking turns, the same points for all, answers held against \

@@ -97,3 +97,31 @@ pub fn icosphere(wanted: usize) -> Sphere {
     }
     sphere
 }
+
+#[cfg(test)]
+mod tests {
+    use super::icosphere;
+
+    #[test]
+    fn a_sphere_is_closed_outward_and_of_radius_1() {
+        for (wanted, n) in [(1, 1), (80, 2), (1_000, 7)] {
+            let sphere = icosphere(wanted);
+            assert_eq!((sphere.vertices.len(), sphere.triangles.len()), (10 * n * n + 2, 20 * n * n));
+            let mut edges = std::collections::BTreeMap::new();
+            let mut volume = 0.0;
+            for &[a, b, c] in &sphere.triangles {
+                for edge in [(a, b), (b, c), (c, a)] {
+                    assert_eq!(edges.insert(edge, ()), None, "{edge:?} twice the same way");
+                }
+                let [p, q, r] = [a, b, c].map(|v| sphere.vertices[v as usize]);
+                volume += p[0] * (q[1] * r[2] - q[2] * r[1])
+                    + p[1] * (q[2] * r[0] - q[0] * r[2])
+                    + p[2] * (q[0] * r[1] - q[1] * r[0]);
+            }
+            assert!(edges.keys().all(|&(a, b)| edges.contains_key(&(b, a))));
+            assert!(volume > 0.0);
+            let radius = |p: &[f64; 3]| p.iter().map(|c| c * c).sum::<f64>().sqrt();
+            assert!(sphere.vertices.iter().all(|p| (radius(p) - 1.0).abs() < 1e-15));
+        }
+    }
+}

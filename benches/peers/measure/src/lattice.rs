@@ -24,9 +24,10 @@ pub fn axes(case: &Case, n: usize) -> [Vec<f64>; 3] {
     })
 }
 
-/// Every point, x fastest.
-pub fn points([x, y, z]: &[Vec<f64>; 3]) -> Vec<[f64; 3]> {
-    z.iter().flat_map(|z| y.iter().flat_map(move |y| x.iter().map(move |x| [*x, *y, *z]))).collect()
+/// The point of a number, x fastest.
+pub fn point([x, y, z]: &[Vec<f64>; 3], at: usize) -> [f64; 3] {
+    let (row, i) = (at / x.len(), at % x.len());
+    [x[i], y[row % y.len()], z[row / y.len()]]
 }
 
 /// Fills a lattice into memory that was touched before; seconds.

@@ -56,24 +56,34 @@ fn write_sets(case: &Case, given: &Arguments) -> Outcome {
     let pool = Pool::new(std::thread::available_parallelism().map_or(1, usize::from), || ())?;
     let run = Run { pool: Some(&pool), progress: None };
     let exact = geometry(&mesh, Accelerator::None, &run)?;
-    let grid = lattice::points(&lattice::axes(case, given.grid));
+    let axes = lattice::axes(case, given.grid);
+    let grid = (0..given.grid.pow(3)).map(|at| lattice::point(&axes, at)).collect();
     let sets = [("uniform", uniform(case, given.count)), ("near", near(case, given.count)), ("grid", grid)];
     for (name, points) in sets {
         write_points(&case.directory.join(format!("{name}.f64")), &points)?;
-        write_sample(case, name, &points, &exact, &run)?;
+        write_sample(case, name, points.len(), &|at| points[at], &exact, &run)?;
     }
     // Lattices are made anew where they are filled.
     for n in &given.lattices {
-        write_sample(case, &format!("lattice-{n}"), &lattice::points(&lattice::axes(case, *n)), &exact, &run)?;
+        let axes = lattice::axes(case, *n);
+        let name = format!("lattice-{n}");
+        write_sample(case, &name, n.pow(3), &|at| lattice::point(&axes, at), &exact, &run)?;
     }
     Ok(())
 }
 
 /// Numbers of evenly spread points and their distances; fewer where there are many triangles.
-fn write_sample(case: &Case, name: &str, points: &[[f64; 3]], exact: &Geometry, run: &Run) -> Outcome {
-    let count = CHECKED.min(4_000_000_000 / case.triangles.len()).min(points.len());
-    let at: Vec<usize> = (0..count).map(|k| (k * points.len() + points.len() / 2) / count).collect();
-    let asked: Vec<[f64; 3]> = at.iter().map(|&i| points[i]).collect();
+fn write_sample(
+    case: &Case,
+    name: &str,
+    points: usize,
+    point: &dyn Fn(usize) -> [f64; 3],
+    exact: &Geometry,
+    run: &Run,
+) -> Outcome {
+    let count = CHECKED.min(4_000_000_000 / case.triangles.len()).min(points);
+    let at: Vec<usize> = (0..count).map(|k| (k * points + points / 2) / count).collect();
+    let asked: Vec<[f64; 3]> = at.iter().map(|&i| point(i)).collect();
     let flat = asked.concat();
     let source = Strided::new(count, [&flat, &flat[1..], &flat[2..]], 3)?;
     let found = Mutex::new(vec![f64::NAN; count]);

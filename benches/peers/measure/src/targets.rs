@@ -166,7 +166,7 @@ fn whole(targets: &mut Vec<Target>, lines: &Lines) {
     let large = large.map(|s| (s, "s to read and build"));
     targets.push(Target {
         path: "10 M triangles (`--large`)".into(),
-        at_least: "loads within 6 GB",
+        at_least: "within 6 GB (`cargo bench --bench large`)",
         aim: "linear",
         peer: "-".into(),
         ratio: "-".into(),

@@ -4,11 +4,6 @@
 use crate::lines::{Lines, Measured};
 use case::SETS;
 
-/// How often something was measured.
-pub fn rounds(measured: &Measured) -> usize {
-    measured.rounds()
-}
-
 /// Every table of measurements.
 pub fn all(lines: &Lines) -> String {
     [random(lines), accuracy(lines), solver(lines), building(lines), centre(lines)].concat()
