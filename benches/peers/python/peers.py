@@ -61,6 +61,7 @@ class Open3D:
         self.shift, self.scale = case.vertices.min(axis=0), case.diagonal
         vertices = ((case.vertices - self.shift) / self.scale).astype(np.float32)
         self.scene.add_triangles(self.tensor(vertices), self.tensor(case.triangles.astype(np.uint32)))
+        self.ask(self.prepare(case.vertices[:1]))  # Embree builds at the first question.
 
     def prepare(self, points):
         return self.tensor(((points - self.shift) / self.scale).astype(np.float32))

@@ -26,6 +26,9 @@ pub fn write(path: &Path, given: &Arguments) -> Outcome {
     if faults.is_empty() { Ok(()) } else { Err(format!("embound was wrong:\n{}", faults.join("\n")).into()) }
 }
 
+/// Rounds that a median needs.
+const ROUNDS: usize = 5;
+
 /// What was measured, with what, and how.
 fn header(lines: &Lines) -> String {
     // Instructions are counted once: they do not vary.
@@ -41,6 +44,9 @@ fn header(lines: &Lines) -> String {
     if busy {
         let load = fact("load");
         _ = writeln!(out, "**The machine was busy (load {load}): these figures are not final.**\n");
+    }
+    if rounds < ROUNDS {
+        _ = writeln!(out, "**Fewer than {ROUNDS} rounds: these figures are not final.**\n");
     }
     for name in lines.facts.keys().filter(|name| *name != "load") {
         _ = writeln!(out, "- {name}: {}", fact(name));

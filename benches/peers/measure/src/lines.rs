@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 #[derive(Default)]
 pub struct Measured {
     numbers: Vec<f64>,
+    /// Rows that came before its first.
+    pub place: usize,
     pub unit: String,
     /// Worst of all rounds, in diagonals; None where nothing is checked.
     pub worst: Option<f64>,
@@ -74,7 +76,9 @@ impl Lines {
             }
             ["fact", name, text] => _ = self.facts.insert(name.into(), text.into()),
             ["row", case, question, peer, number, unit, worst, wrong, tolerance] => {
-                let row = self.rows.entry([case, question, peer].map(String::from)).or_default();
+                let place = self.rows.len();
+                let key = [case, question, peer].map(String::from);
+                let row = self.rows.entry(key).or_insert_with(|| Measured { place, ..Measured::default() });
                 row.numbers.push(number.parse().ok()?);
                 row.unit = unit.into();
                 if worst != "-" {

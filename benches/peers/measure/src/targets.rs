@@ -5,6 +5,11 @@ use crate::document::{ratio, short, table};
 use crate::lines::Lines;
 use case::SETS;
 
+const READ_AND_BUILD: &str = "read STL and build";
+
+/// The one that the targets name.
+const BY_HAND: &str = "EBGeometry";
+
 /// Figures of peers that no registry has: peer, question, case, number, unit.
 pub struct ByHand(Vec<[String; 5]>);
 
@@ -25,16 +30,16 @@ impl ByHand {
 
     /// The figures as a table of the document.
     pub fn section(&self) -> String {
-        let rows: Vec<Vec<String>> = self
-            .0
-            .iter()
-            .map(|[peer, question, case, number, unit]| {
-                let number = number.parse().map_or(number.clone(), short);
-                vec![peer.clone(), case.clone(), question.clone(), number, unit.clone()]
-            })
-            .collect();
-        let columns = ["peer", "mesh", "question", "figure", "unit"].map(String::from);
-        table("Measured by hand, July 2026", &columns, &rows)
+        let questions = [SETS[0], SETS[1], SETS[2], READ_AND_BUILD];
+        let mut rows: Vec<Vec<String>> = Vec::new();
+        for [peer, _, case, ..] in &self.0 {
+            if rows.iter().all(|row| row[..2] != [peer.clone(), case.clone()]) {
+                let cells = questions.map(|q| self.get(peer, q, case).map_or("-".into(), short));
+                rows.push([peer.clone(), case.clone()].into_iter().chain(cells).collect());
+            }
+        }
+        let columns = ["peer", "mesh", "uniform, ns", "near, ns", "grid, ns", "read STL and build, s"];
+        table("Measured by hand, July 2026", &columns.map(String::from), &rows)
             + "EBGeometry and TriangleMeshDistance are in no registry. They were measured by hand in July 2026, on \
                one core of a Zen 4, built with -O3 -march=native, EBGeometry as \
                `Parser::readIntoTriangleBVH<double, short>(file, 4, BVH::Build::SAH)`; nothing here builds them. A \
@@ -76,18 +81,32 @@ pub fn section(lines: &Lines, by_hand: &ByHand) -> String {
 fn points(targets: &mut Vec<Target>, lines: &Lines, by_hand: &ByHand, case: &str) {
     for (set, at_least, aim) in [(SETS[0], "5x", "15x"), (SETS[1], "3x", "8x")] {
         let Some(ours) = lines.ours(case, set) else { continue };
-        let eb = by_hand.get("EBGeometry", set, case).map(|ns| ("EBGeometry, by hand", ns));
-        for (peer, ns) in lines.fastest(case, set).into_iter().chain(eb) {
-            targets.push(Target {
-                path: format!("{case}, random point, {set}"),
-                at_least,
-                aim,
-                peer: format!("{peer}: {} ns", short(ns)),
-                ours: Some((ours, "ns")),
-                ratio: ratio(Some(ns), Some(ours)),
-            });
-        }
+        targets.push(beside(
+            format!("{case}, random point, {set}"),
+            [at_least, aim],
+            (ours, "ns"),
+            &peers(lines, by_hand, case, set),
+        ));
     }
+}
+
+/// The fastest peer of this run, and the one measured by hand.
+fn peers<'a>(lines: &'a Lines, by_hand: &ByHand, case: &str, set: &str) -> Vec<(&'a str, f64)> {
+    let by_hand = by_hand.get(BY_HAND, set, case).map(|ns| ("EBGeometry by hand", ns));
+    lines.fastest(case, set).into_iter().chain(by_hand).collect()
+}
+
+/// A target that is a ratio to peers.
+fn beside(
+    path: String,
+    [at_least, aim]: [&'static str; 2],
+    ours: (f64, &'static str),
+    peers: &[(&str, f64)],
+) -> Target {
+    let joined = |cell: &dyn Fn(&(&str, f64)) -> String| peers.iter().map(cell).collect::<Vec<_>>().join("; ");
+    let peer = joined(&|(peer, ns)| format!("{peer} {}", short(*ns)));
+    let ratio = joined(&|(_, ns)| ratio(Some(*ns), Some(ours.0)));
+    Target { path, at_least, aim, peer, ours: Some(ours), ratio }
 }
 
 fn lattices(targets: &mut Vec<Target>, lines: &Lines, by_hand: &ByHand, case: &str) {
@@ -97,20 +116,11 @@ fn lattices(targets: &mut Vec<Target>, lines: &Lines, by_hand: &ByHand, case: &s
         ("band", 192, "100x", "1,000x"),
         ("sign", 192, "100x", "1,000x"),
     ];
-    let eb = by_hand.get("EBGeometry", SETS[2], case);
     for (mode, n, at_least, aim) in fills {
         let Some(ours) = lines.ours(case, &format!("fill {mode} {n}")) else { continue };
-        let best = lines.fastest(case, SETS[2]);
-        for (peer, ns) in best.into_iter().chain(eb.map(|ns| ("EBGeometry, by hand", ns))) {
-            targets.push(Target {
-                path: format!("{case}, {mode} fill, {n}^3"),
-                at_least,
-                aim,
-                peer: format!("{peer}: {} ns", short(ns)),
-                ours: Some((ours, "ns a point")),
-                ratio: ratio(Some(ns), Some(ours)),
-            });
-        }
+        let path = format!("{case}, {mode} fill, {n}^3");
+        let peers = peers(lines, by_hand, case, SETS[2]);
+        targets.push(beside(path, [at_least, aim], (ours, "ns a point"), &peers));
     }
     let all = lines.ours(case, "fill sign 256").zip(lines.ours(case, "crossings 256"));
     let seconds = all.map(|(sign, edge)| (sign * 256f64.powi(3) + edge * 3.0 * 256.0 * 256.0 * 255.0) * 1e-9);
@@ -133,13 +143,13 @@ fn absolute(
 }
 
 fn build(targets: &mut Vec<Target>, lines: &Lines, by_hand: &ByHand, case: &str) {
-    let ours = lines.ours(case, "read STL and build");
-    if let Some(theirs) = by_hand.get("EBGeometry", "read STL and build", case) {
+    let ours = lines.ours(case, READ_AND_BUILD);
+    if let Some(theirs) = by_hand.get(BY_HAND, READ_AND_BUILD, case) {
         targets.push(Target {
             path: format!("{case}, read STL and build"),
             at_least: "10x",
             aim: "30 ms for 100k",
-            peer: format!("EBGeometry, by hand: {} s", short(theirs)),
+            peer: format!("EBGeometry by hand {} s", short(theirs)),
             ours: ours.map(|s| (s, "s")),
             ratio: ratio(Some(theirs), ours),
         });
@@ -162,7 +172,7 @@ fn build(targets: &mut Vec<Target>, lines: &Lines, by_hand: &ByHand, case: &str)
 fn whole(targets: &mut Vec<Target>, lines: &Lines) {
     let balls = lines.ours("balls-64000", "uniform");
     targets.push(absolute("union of 64,000 balls, a query".into(), "5x EBGeometry", "150 ns", balls, 150.0, "ns"));
-    let large = lines.ours("icosphere-10000000", "read STL and build");
+    let large = lines.ours("icosphere-10000000", READ_AND_BUILD);
     let large = large.map(|s| (s, "s to read and build"));
     targets.push(Target {
         path: "10 M triangles (`--large`)".into(),

@@ -104,8 +104,9 @@ fn solver(lines: &Lines) -> String {
     let mut rows = Vec::new();
     for (case, _) in &lines.cases {
         let peer = lines.fastest(case, "grid");
-        let ours =
-            lines.rows.iter().filter(|([c, question, peer], _)| c == case && peer == "embound" && is_query(question));
+        let is_ours = |[c, question, peer]: &[String; 3]| c == case && peer == "embound" && is_query(question);
+        let mut ours: Vec<_> = lines.rows.iter().filter(|(key, _)| is_ours(key)).collect();
+        ours.sort_by_key(|(_, m)| m.place);
         for ([_, question, _], m) in ours {
             let is_fill = question.starts_with("fill");
             let against = if is_fill { ratio(peer.map(|p| p.1), Some(m.median())) } else { "-".into() };
