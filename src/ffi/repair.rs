@@ -121,7 +121,8 @@ pub unsafe extern "C" fn emb_repair_options_init(options: *mut emb_repair_option
 ///   wall between two bodies in contact, given by each of them.
 /// - EMB_REPAIR_HOLES: holes are filled by the triangulation of least area over their rims (Barequet & Sharir 1995, Liepa
 ///   2003), which avoids slivers and never gives an edge more than two faces. Rims that pass a vertex twice are cut
-///   apart there.
+///   apart there. Cracks without area, where a vertex of one side lies within an edge of the other, close by
+///   EMB_REPAIR_DEGENERATE then: the edge is cut at the vertex.
 /// - EMB_REPAIR_SPLIT: a vertex where several fans of faces meet becomes as many at the same position (Gueziec et al.
 ///   2001); bodies that share an edge come apart, sheets that would be open without each other stay together.
 /// - EMB_REPAIR_ORIENT: faces are turned over until neighbours agree, as the larger part of the area has it; closed

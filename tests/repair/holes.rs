@@ -125,6 +125,33 @@ fn a_missing_triangle_is_filled_however_coarse_the_mesh() {
 }
 
 #[test]
+fn vertices_within_the_edges_of_the_other_side_leave_no_crack() {
+    // Of an edge of a box one side is cut in the middle, the other is not.
+    for scale in [1.0, 2f64.powi(-20), 2f64.powi(20)] {
+        let body = bodies::cuboid([-1.0; 3], [1.0, 2.0, 4.0]).scaled(scale);
+        for t in 0..body.triangles.len() {
+            let mut cracked = body.clone();
+            let [a, b, c] = cracked.triangles[t];
+            let (p, q) = (body.vertices[a as usize], body.vertices[b as usize]);
+            let m = cracked.vertices.len() as u32;
+            cracked.vertices.push([0, 1, 2].map(|k| 0.5 * (p[k] + q[k])));
+            cracked.triangles[t] = [a, m, c];
+            cracked.triangles.push([m, b, c]);
+            let mesh = cracked.mesh();
+            assert_eq!(mesh.report().boundary_edges, 3);
+            let (mesh, repairs) = repaired(&mesh, &RepairOptions::default());
+            assert_eq!(
+                (repairs.holes_filled, repairs.degenerate_faces, repairs.corners_added),
+                (1, 1, 1),
+                "{repairs:?}"
+            );
+            assert_clean(&mesh);
+            assert_same_inside(&mesh, &body);
+        }
+    }
+}
+
+#[test]
 fn holes_that_touch_in_a_vertex_are_two() {
     let ball = bodies::icosphere(3);
     // Two triangles that have one vertex in common, and lie on either side of it.

@@ -5,7 +5,7 @@
 //! 2. Flat faces leave, so that what follows sees surfaces alone.
 //! 3. Copies leave, so that edges have the faces that bodies need.
 //! 4. Holes are filled. Before vertices are split: the rims of two holes that touch in a vertex are one loop after,
-//!    and two before.
+//!    and two before. Flat faces leave once more: those that fill T-junctions.
 //! 5. Vertices where several fans of faces meet are split.
 //! 6. Faces are oriented, new ones with the rest: now it is known what is closed.
 
@@ -188,6 +188,10 @@ impl Mesh {
         run.tell(0.3)?;
         if options.holes {
             holes::fill(&mut work, self, options, &mut repairs, run)?;
+            // Cracks where the edges of one side end within those of the other are filled by faces without area.
+            if options.degenerate && repairs.faces_added > 0 {
+                degenerate::take_out(&mut work, &mut repairs)?;
+            }
         }
         run.tell(0.6)?;
         if options.split {
