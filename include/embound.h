@@ -101,7 +101,8 @@
 // emb_array: int8_t; sign fills and counts only. A count above 127 is written as 127.
 #define EMB_I8 3
 
-// Faces are oriented consistently and outward.
+// Faces are oriented consistently, and closed bodies outward: one that is inside out is turned over with its cavities, and a
+// consistent cavity stays one.
 #define EMB_ORIENT_AUTO 0
 
 // Faces stay as given: a mesh whose normals point inward stays inside out (internal flow).
@@ -359,7 +360,8 @@ typedef struct emb_run {
   void *user;
 } emb_run;
 
-// What a mesh is like, as read: after welding, before any repair.
+// What a mesh is like after welding and before orientation: of a file, as read; of a mesh made by repair, join, split or
+// transform, as its faces were before it was oriented. So the volume of a mesh that was inside out is negative here.
 typedef struct emb_mesh_report {
   // sizeof(emb_mesh_report), set by the caller
   size_t struct_size;
@@ -950,7 +952,7 @@ emb_status emb_mesh_from_polygons(size_t vertex_count,
 emb_status emb_mesh_write(const emb_mesh *mesh,
                           const char *path);
 
-// Writes what the mesh is like, as read and before repair, to *report, whose struct_size the caller has set;
+// Writes what the mesh is like, as read and before orientation, to *report, whose struct_size the caller has set;
 // nothing is written beyond that size. O(1): the report is made with the mesh. Any thread.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (struct_size).
 emb_status emb_mesh_report_get(const emb_mesh *mesh, emb_mesh_report *report);
@@ -1031,9 +1033,11 @@ uint32_t emb_mesh_half_edge_previous(const emb_mesh *mesh, uint32_t half_edge);
 uint32_t emb_mesh_half_edge_twin(const emb_mesh *mesh, uint32_t half_edge);
 
 // The next half-edge that leaves the same vertex, counter-clockwise seen from outside; EMB_NO_INDEX where the fan of
-// faces ends, for numbers out of range and for NULL. Going on until EMB_NO_INDEX or the first half-edge comes round
-// visits one fan; where several meet in a vertex, emb_mesh_vertex_half_edge has them all. O(1).
-uint32_t emb_mesh_half_edge_around(const emb_mesh *mesh, uint32_t half_edge);
+// faces ends, for numbers out of range and for NULL. Going on until the first half-edge comes round visits one fan; where
+// EMB_NO_INDEX comes first, at a boundary, what lies before the first is reached the other way, by the next half-edge of
+// the face after the twin. Where several meet in a vertex, emb_mesh_vertex_half_edge has them all. O(1).
+uint32_t emb_mesh_half_edge_around(const emb_mesh *mesh,
+                                   uint32_t half_edge);
 
 // The input face of a half-edge; -1 for numbers out of range and for NULL. O(1).
 int64_t emb_mesh_half_edge_face(const emb_mesh *mesh, uint32_t half_edge);
@@ -1078,7 +1082,8 @@ emb_status emb_mesh_tag_name(const emb_mesh *mesh,
                              size_t *out_size);
 
 // The mesh with other tags: one number for each input face (emb_mesh_face_count of them), and `name_count` names, each
-// for the tag at the same place of `named_tags`. Cost: linear; the mesh is copied.
+// for the tag at the same place of `named_tags`. Tags, names and no others: those of before are gone. A field of ids
+// becomes tags by emb_mesh_field_values and this. Cost: linear; the mesh is copied.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8, not one line or has
 // white space around it; a tag named twice), EMB_ERROR_MEMORY.
 emb_status emb_mesh_with_tags(const emb_mesh *mesh,
@@ -1198,7 +1203,8 @@ emb_status emb_repair_options_init(emb_repair_options *options, size_t size);
 //   apart there. Cracks without area, where a vertex of one side lies within an edge of the other, close by
 //   EMB_REPAIR_DEGENERATE then: the edge is cut at the vertex.
 // - EMB_REPAIR_SPLIT: a vertex where several fans of faces meet becomes as many at the same position (Gueziec et al.
-//   2001); bodies that share an edge come apart, sheets that would be open without each other stay together.
+//   2001); bodies that share no more than an edge come apart, sheets that would be open without each other stay
+//   together, and so do bodies that share a wall.
 // - EMB_REPAIR_ORIENT: faces are turned over until neighbours agree, as the larger part of the area has it; closed
 //   shells face outward, those directly inside them inward, and so on in turn. Open shells only become consistent.
 //

@@ -256,7 +256,7 @@ fn files_without_triangles_are_refused() {
     assert_eq!(refused(b"\n\n"), "line 3: the file ends without a triangle");
     assert_eq!(refused(b"solid a\nendsolid a\n"), "line 3: the file ends without a triangle");
     assert_eq!(refused(b"solid"), "line 1: the file ends without a triangle");
-    assert_eq!(refused(b"Hello, world"), "line 1: \"Hello,\" is not solid");
+    assert_eq!(refused(b"Hello, world"), "line 1: \"Hello,\" is not solid, and no PLY, OBJ, VTK or VTP begins so");
     assert_eq!(refused(b"solid a\nendsolid a\nfacet"), "line 3: \"facet\" is not solid");
     assert_eq!(refused(b"solid a\nv 1 2 3"), "line 2: \"v\" is not facet or endsolid");
     assert_eq!(refused(b"\x7fELF"), "offset 4: the file ends within the 84 bytes of header and count");

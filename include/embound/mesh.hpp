@@ -194,7 +194,7 @@ public:
     /// Writes a file of the format its extension names.
     void write(const std::string &path) const { check(emb_mesh_write(get(), path.c_str())); }
 
-    /// What the mesh was like as read, before repair: counts, volume, area, bounds.
+    /// What the mesh was like as read, before orientation: counts, volume, area, bounds.
     emb_mesh_report report() const {
         emb_mesh_report report{};
         report.struct_size = sizeof report;

@@ -40,7 +40,8 @@ pub const EMB_I32: i32 = 2;
 /// emb_array: int8_t; sign fills and counts only. A count above 127 is written as 127.
 pub const EMB_I8: i32 = 3;
 
-/// Faces are oriented consistently and outward.
+/// Faces are oriented consistently, and closed bodies outward: one that is inside out is turned over with its cavities, and a
+/// consistent cavity stays one.
 pub const EMB_ORIENT_AUTO: i32 = 0;
 /// Faces stay as given: a mesh whose normals point inward stays inside out (internal flow).
 pub const EMB_ORIENT_KEEP: i32 = 1;

@@ -93,7 +93,8 @@ pub unsafe extern "C" fn emb_mesh_tag_name(
 }
 
 /// The mesh with other tags: one number for each input face (emb_mesh_face_count of them), and `name_count` names, each
-/// for the tag at the same place of `named_tags`. Cost: linear; the mesh is copied.
+/// for the tag at the same place of `named_tags`. Tags, names and no others: those of before are gone. A field of ids
+/// becomes tags by emb_mesh_field_values and this. Cost: linear; the mesh is copied.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8, not one line or has
 /// white space around it; a tag named twice), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]

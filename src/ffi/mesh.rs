@@ -64,7 +64,8 @@ unsafe impl Versioned for emb_mesh_options {
     };
 }
 
-/// What a mesh is like, as read: after welding, before any repair.
+/// What a mesh is like after welding and before orientation: of a file, as read; of a mesh made by repair, join, split or
+/// transform, as its faces were before it was oriented. So the volume of a mesh that was inside out is negative here.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct emb_mesh_report {
@@ -375,7 +376,7 @@ pub unsafe extern "C" fn emb_mesh_write(mesh: *const emb_mesh, path: *const c_ch
     guard(|| unsafe { io::write(lend("mesh", mesh)?, self::path("path", path)?) })
 }
 
-/// Writes what the mesh is like, as read and before repair, to *report, whose struct_size the caller has set;
+/// Writes what the mesh is like, as read and before orientation, to *report, whose struct_size the caller has set;
 /// nothing is written beyond that size. O(1): the report is made with the mesh. Any thread.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (struct_size).
 #[unsafe(no_mangle)]

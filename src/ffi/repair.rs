@@ -124,7 +124,8 @@ pub unsafe extern "C" fn emb_repair_options_init(options: *mut emb_repair_option
 ///   apart there. Cracks without area, where a vertex of one side lies within an edge of the other, close by
 ///   EMB_REPAIR_DEGENERATE then: the edge is cut at the vertex.
 /// - EMB_REPAIR_SPLIT: a vertex where several fans of faces meet becomes as many at the same position (Gueziec et al.
-///   2001); bodies that share an edge come apart, sheets that would be open without each other stay together.
+///   2001); bodies that share no more than an edge come apart, sheets that would be open without each other stay
+///   together, and so do bodies that share a wall.
 /// - EMB_REPAIR_ORIENT: faces are turned over until neighbours agree, as the larger part of the area has it; closed
 ///   shells face outward, those directly inside them inward, and so on in turn. Open shells only become consistent.
 ///

@@ -241,8 +241,9 @@ pub unsafe extern "C" fn emb_mesh_half_edge_twin(mesh: *const emb_mesh, half_edg
 }
 
 /// The next half-edge that leaves the same vertex, counter-clockwise seen from outside; EMB_NO_INDEX where the fan of
-/// faces ends, for numbers out of range and for NULL. Going on until EMB_NO_INDEX or the first half-edge comes round
-/// visits one fan; where several meet in a vertex, emb_mesh_vertex_half_edge has them all. O(1).
+/// faces ends, for numbers out of range and for NULL. Going on until the first half-edge comes round visits one fan; where
+/// EMB_NO_INDEX comes first, at a boundary, what lies before the first is reached the other way, by the next half-edge of
+/// the face after the twin. Where several meet in a vertex, emb_mesh_vertex_half_edge has them all. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_half_edge_around(mesh: *const emb_mesh, half_edge: u32) -> u32 {
     // SAFETY: a handle or NULL, as the header asks.

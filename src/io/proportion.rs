@@ -40,7 +40,7 @@ impl Demand {
             return Ok(());
         }
         Err(Error::unsupported(format!(
-            "faces: {corners} corners over {points} points, with {} values of data, are too many for {bytes} bytes",
+            "faces: {corners} corners over {points} points, with {} values of data, are too many for {bytes} bytes: reading takes at most {TIMES} for each and 16 MB more",
             vertex_values.saturating_add(face_values)
         )))
     }

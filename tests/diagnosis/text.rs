@@ -54,8 +54,8 @@ fn the_last_line_says_what_to_do() {
         (sphere.flipped_where(|t| t == 3), "to do: EMB_ORIENT_AUTO has turned 1 face over"),
         (
             sphere.without(|t| t == 3 || t == 40),
-            "to do: 2 holes, the largest of 3 edges: repair with EMB_REPAIR_HOLES or ask for the unsigned distance \
-             (EMB_SIGN_NONE)",
+            "to do: 2 holes, the largest of 3 edges: repair with EMB_REPAIR_HOLES (hole_length says how long a rim) or \
+             ask for the unsigned distance (EMB_SIGN_NONE)",
         ),
         (
             bodies::overlapping_spheres(1),

@@ -27,7 +27,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles> {
             triangles.solids.try_reserve(1).map_err(|_| Error::memory("triangles", triangles.solids.len() + 1))?;
             triangles.solids.push(triangles.names.len() as i32 - 1);
         } else {
-            return Err(words.unexpected(word, if within { "facet or endsolid" } else { "solid" }));
+            let wanted = match (within, !triangles.names.is_empty()) {
+                (true, _) => "facet or endsolid",
+                (false, true) => "solid",
+                (false, false) => "solid, and no PLY, OBJ, VTK or VTP begins so",
+            };
+            return Err(words.unexpected(word, wanted));
         }
     }
     if triangles.corners.is_empty() {

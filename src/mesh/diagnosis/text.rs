@@ -214,7 +214,9 @@ impl Diagnosis {
             let largest = self.loops.iter().map(|l| l.edges).max().unwrap_or(0);
             let rest = if self.loops.len() > 1 { ", the largest" } else { "" };
             let (holes, edges) = (count(self.loops.len(), "hole"), count(largest, "edge"));
-            return format!("{holes}{rest} of {edges}: repair with EMB_REPAIR_HOLES or {unsigned}");
+            return format!(
+                "{holes}{rest} of {edges}: repair with EMB_REPAIR_HOLES (hole_length says how long a rim) or {unsigned}"
+            );
         }
         let n = self.surface.unbalanced_edges;
         let (edges, do_not) = (count(n, "edge"), if n == 1 { "does not" } else { "do not" });
