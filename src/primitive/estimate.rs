@@ -47,11 +47,9 @@ impl Estimates {
         let [a, b, c] = [0, 1, 2].map(|k| corners[(longest + k) % 3]);
         let x = unit(b - a);
         let across = (c - a) - x * x.dot(c - a);
-        // Of a triangle without width any direction will do.
-        let y = match unit(across - x * x.dot(across)) {
-            Vec3::ZERO => x.any_orthonormal_vector(),
-            y => y,
-        };
+        let y = unit(across - x * x.dot(across));
+        // Of a triangle without width that is rounding, which may point along x; any direction across will do.
+        let y = if y == Vec3::ZERO || x.dot(y).abs() > 1e-9 { x.any_orthonormal_vector() } else { y };
         let z = x.cross(y);
         for axis in 0..3 {
             self.origin[axis].0[lane] = a[axis] as f32;
@@ -188,6 +186,20 @@ mod tests {
             assert_within([a, b, c], p, &mut worst);
         }
         assert!(worst > 0.0);
+    }
+
+    #[test]
+    fn corners_on_a_line_are_a_segment() {
+        let mut random = Random(9);
+        let mut worst = 0.0;
+        for _ in 0..200_000 {
+            let whole = |v: Vec3| (v * 16.0).round();
+            let (a, d) = (whole(random.vector()), whole(random.vector()));
+            let steps = [random.next(), random.next()].map(|s| (s * 8.0).round());
+            // On the line in thirtieths, and so but for rounding on it when scaled.
+            let corners = [a, a + d * steps[0], a + d * steps[1]].map(|c| c * (1.0 / 150.0));
+            assert_within(corners, random.vector() * 4.0, &mut worst);
+        }
     }
 
     #[test]
