@@ -17,7 +17,7 @@ pub(crate) trait LeafDistance<S: Simd> {
 
     /// The search is over.
     #[inline(always)]
-    fn finish(&mut self) {}
+    fn finish(&mut self, _: S) {}
 }
 
 /// The bound while nothing is known: infinity, in order.
@@ -180,7 +180,7 @@ impl<const STACK: usize> Descent<STACK> {
             }
             loop {
                 if self.top == 0 {
-                    return leaf.finish();
+                    return leaf.finish(simd);
                 }
                 self.top -= 1;
                 let top = self.top & (STACK - 1);

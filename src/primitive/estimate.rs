@@ -45,7 +45,8 @@ impl Estimates {
         let squared = |k: usize| (corners[(k + 1) % 3] - corners[k]).length_squared();
         let longest = (1..3).fold(0, |best, k| if squared(k) > squared(best) { k } else { best });
         let [a, b, c] = [0, 1, 2].map(|k| corners[(longest + k) % 3]);
-        let x = unit(b - a);
+        // A triangle of one point has any frame.
+        let x = if a == b { Vec3::X } else { unit(b - a) };
         let across = (c - a) - x * x.dot(c - a);
         let y = unit(across - x * x.dot(across));
         // Of a triangle without width that is rounding, which may point along x; any direction across will do.
@@ -203,10 +204,10 @@ mod tests {
     }
 
     #[test]
-    fn coincident_corners_are_a_segment() {
+    fn coincident_corners_are_a_segment_or_a_point() {
         let mut worst = 0.0;
         let (a, b) = (Vec3::new(-0.25, 0.5, 0.125), Vec3::new(0.375, -0.5, 0.25));
-        for corners in [[a, b, b], [a, a, b], [a, b, a]] {
+        for corners in [[a, b, b], [a, a, b], [a, b, a], [a, a, a]] {
             for p in [Vec3::ZERO, Vec3::X, a, b * 2.0, (a + b) * 0.5] {
                 assert_within(corners, p, &mut worst);
             }

@@ -11,24 +11,27 @@ use std::arch::x86_64::*;
 pub(crate) struct Avx2(());
 
 #[target_feature(enable = "avx2")]
+#[inline(never)]
 pub(super) fn run<K: Kernel>(kernel: K) -> K::Output {
     kernel.run(Avx2(()))
 }
 
-impl Avx2 {
-    /// # Safety
-    /// The processor has AVX2.
-    #[inline(always)]
-    pub(super) unsafe fn assumed() -> Avx2 {
-        Avx2(())
-    }
-}
+/// A level that has AVX2.
+pub(super) trait HasAvx2: Copy {}
+
+impl HasAvx2 for Avx2 {}
 
 impl Simd for Avx2 {
     type Float = Floats;
+
+    #[inline(always)]
+    fn apart<K: Kernel>(self, kernel: K) -> K::Output {
+        // SAFETY: the processor has AVX2.
+        unsafe { run(kernel) }
+    }
 }
 
-/// Eight f32; there are none without an [`Avx2`].
+/// Eight f32; there are none without a level that has AVX2.
 #[derive(Clone, Copy)]
 pub(crate) struct Floats(__m256);
 
@@ -36,18 +39,18 @@ pub(crate) struct Floats(__m256);
 #[derive(Clone, Copy)]
 pub(crate) struct Keys(__m256i);
 
-// Throughout, the instructions are there: who has an operand had an Avx2 to make it.
-impl Float8<Avx2> for Floats {
+// Throughout, the instructions are there: who has an operand had such a level to make it.
+impl<S: HasAvx2> Float8<S> for Floats {
     type Keys = Keys;
 
     #[inline(always)]
-    fn load(_: Avx2, lanes: &[f32; WIDTH]) -> Floats {
+    fn load(_: S, lanes: &[f32; WIDTH]) -> Floats {
         // SAFETY: eight lanes; see above.
         Floats(unsafe { _mm256_loadu_ps(lanes.as_ptr()) })
     }
 
     #[inline(always)]
-    fn splat(_: Avx2, x: f32) -> Floats {
+    fn splat(_: S, x: f32) -> Floats {
         // SAFETY: see above.
         Floats(unsafe { _mm256_set1_ps(x) })
     }

@@ -2,10 +2,27 @@
 //! Entry point for AVX-512. Its eight f32 are those of AVX2.
 
 use super::Kernel;
-use super::avx2::Avx2;
+use super::avx2::{Floats, HasAvx2};
+use super::float8::Simd;
+
+/// The processor has AVX-512 F, DQ and VL, and AVX2. Made here alone.
+#[derive(Clone, Copy)]
+pub(crate) struct Avx512(());
 
 #[target_feature(enable = "avx2,avx512f,avx512dq,avx512vl")]
+#[inline(never)]
 pub(super) fn run<K: Kernel>(kernel: K) -> K::Output {
-    // SAFETY: this function is called where AVX2 is there, too.
-    kernel.run(unsafe { Avx2::assumed() })
+    kernel.run(Avx512(()))
+}
+
+impl HasAvx2 for Avx512 {}
+
+impl Simd for Avx512 {
+    type Float = Floats;
+
+    #[inline(always)]
+    fn apart<K: Kernel>(self, kernel: K) -> K::Output {
+        // SAFETY: the processor has them.
+        unsafe { run(kernel) }
+    }
 }

@@ -3,11 +3,15 @@
 //! relied on where lanes come together. Nothing of it reaches an answer, so levels need not agree to the bit, though
 //! they do.
 
+use super::Kernel;
 use super::lanes::{F32x8, I32x8, WIDTH};
 
 /// What a level can do. A value of the type is the proof that the processor can.
 pub(crate) trait Simd: Copy {
     type Float: Float8<Self>;
+    /// Runs a kernel in a function of its own of this level. What is large or in several places goes here: inlined
+    /// again and again it would grow beyond what a compiler takes in its stride.
+    fn apart<K: Kernel>(self, kernel: K) -> K::Output;
 }
 
 /// Eight f32.
@@ -53,6 +57,11 @@ pub(crate) struct Plain;
 
 impl Simd for Plain {
     type Float = F32x8;
+
+    #[inline(never)]
+    fn apart<K: Kernel>(self, kernel: K) -> K::Output {
+        kernel.run(self)
+    }
 }
 
 impl Float8<Plain> for F32x8 {

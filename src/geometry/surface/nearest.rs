@@ -130,7 +130,7 @@ impl<'a> Waiting<'a> {
             // Where many are as near as each other, the kernel is asked about them on the way.
             self.sift(limit);
             if self.count > WAITING / 2 {
-                self.settle();
+                self.settle(simd);
             }
         }
         let estimates = estimates.lanes();
@@ -146,9 +146,9 @@ impl<'a> Waiting<'a> {
 
     /// Adds one more.
     #[inline(always)]
-    pub(super) fn add(&mut self, triangle: u32, estimate: f32) {
+    pub(super) fn add<S: Simd>(&mut self, simd: S, triangle: u32, estimate: f32) {
         if self.count == WAITING {
-            self.settle();
+            self.settle(simd);
         }
         self.push(triangle, estimate);
     }
@@ -175,14 +175,19 @@ impl<'a> Waiting<'a> {
 
     /// Asks the kernel about all that are still near enough.
     #[inline(always)]
-    pub(super) fn settle_all(&mut self, room: f32) {
+    pub(super) fn settle_all<S: Simd>(&mut self, simd: S, room: f32) {
         self.sift(self.nearest + room);
-        self.settle();
+        self.settle(simd);
     }
 
     /// Asks the kernel about all that wait.
     #[inline(always)]
-    pub(super) fn settle(&mut self) {
+    pub(super) fn settle<S: Simd>(&mut self, simd: S) {
+        simd.apart(Settle(self));
+    }
+
+    #[inline(always)]
+    fn ask_kernel(&mut self) {
         for from in (0..self.count).step_by(WIDTH) {
             let all = &self.triangles[from..self.count.min(from + WIDTH)];
             if let &[triangle] = all {
@@ -196,6 +201,17 @@ impl<'a> Waiting<'a> {
             }
         }
         self.count = 0;
+    }
+}
+
+struct Settle<'a, 'b>(&'a mut Waiting<'b>);
+
+impl Kernel for Settle<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        self.0.ask_kernel();
     }
 }
 
@@ -226,8 +242,8 @@ impl<S: Simd> LeafDistance<S> for Candidates<'_> {
     }
 
     #[inline(always)]
-    fn finish(&mut self) {
-        self.waiting.settle_all(self.room);
+    fn finish(&mut self, simd: S) {
+        self.waiting.settle_all(simd, self.room);
         *self.out = self.waiting.best;
     }
 }

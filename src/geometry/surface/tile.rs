@@ -176,6 +176,22 @@ impl Kernel for Work<'_, '_> {
     }
 }
 
+/// A point's question: of the few triangles of its small cube, or of the leaves of the large one.
+struct Ask<'w, 'a, 'b> {
+    work: &'w mut Work<'a, 'b>,
+    p: Vec3,
+    of_few: bool,
+}
+
+impl Kernel for Ask<'_, '_, '_> {
+    type Output = Result<Nearest>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Result<Nearest> {
+        if self.of_few { self.work.by_triangles(simd, self.p) } else { self.work.by_leaves(simd, self.p) }
+    }
+}
+
 impl<S: Simd> Eight<S> for Leaf {
     #[inline(always)]
     fn distances(&self, simd: S, at: [f32; 3]) -> S::Float {
@@ -193,17 +209,17 @@ impl Work<'_, '_> {
             // Where the cube is a point thin, corners are one.
             nearest[k] = match at[..k].iter().position(|other| *other == c) {
                 Some(same) => nearest[same],
-                None => self.by_leaves(simd, block.point(c))?,
+                None => simd.apart(Ask { work: self, p: block.point(c), of_few: false })?,
             };
             self.out[block.place(c)] = self.columns.signed(c, block.point(c), &nearest[k])?;
         }
         let corners = corners(tree, at.map(|c| block.point(c)), &nearest);
         let Scratch { large, small, .. } = self.scratch;
         small.sift(simd, large, &corners)?;
-        let few = self.gather(simd, &corners)?;
+        let of_few = self.gather(simd, &corners)?;
         for point in cube.points().filter(|point| !at.contains(point)) {
             let p = block.point(point);
-            let nearest = if few { self.by_triangles(simd, p)? } else { self.by_leaves(simd, p)? };
+            let nearest = simd.apart(Ask { work: self, p, of_few })?;
             self.out[block.place(point)] = self.columns.signed(point, p, &nearest)?;
         }
         Ok(())
@@ -228,7 +244,7 @@ impl Work<'_, '_> {
                 limit = waiting.look(simd, &self.surface.leaves[large.leaf(k)], at, room);
             }
         }
-        waiting.settle_all(room);
+        waiting.settle_all(simd, room);
         Ok(self.surface.at(p, waiting.best))
     }
 
@@ -288,11 +304,11 @@ impl Work<'_, '_> {
                 let k = near.trailing_zeros() as usize & (WIDTH - 1);
                 near &= near - 1;
                 if leaf.triangle[k] != NO_TRIANGLE {
-                    waiting.add(leaf.triangle[k], distances[k]);
+                    waiting.add(simd, leaf.triangle[k], distances[k]);
                 }
             }
         }
-        waiting.settle();
+        waiting.settle(simd);
         Ok(self.surface.at(p, waiting.best))
     }
 }
