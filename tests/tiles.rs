@@ -68,9 +68,13 @@ const SIGNS: [SignMethod; 3] = [SignMethod::Auto, SignMethod::Ray, SignMethod::N
 
 #[test]
 fn tiles_have_the_bits_of_single_points_from_coarse_to_fine() {
-    for body in
-        [bodies::icosphere(3), bodies::bracket(), bodies::torus(1.0, 0.3, 40, 20), bodies::overlapping_spheres(3)]
-    {
+    for body in [
+        bodies::icosphere(3),
+        bodies::bracket(),
+        bodies::torus(1.0, 0.3, 40, 20),
+        bodies::overlapping_spheres(3),
+        bodies::with_flat_triangles(&bodies::icosphere(3)),
+    ] {
         for sign in SIGNS {
             let g = geometry(&body, sign, Accelerator::Auto);
             for (n, factor) in [([9, 10, 11], 1.2), ([33, 21, 40], 1.2), ([24, 24, 24], 0.1), ([17, 16, 15], 6.0)] {

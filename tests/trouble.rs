@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The search against brute force, bit for bit, where f32 tells little: far from the origin, tiny and huge, needles, specks
-//! and slivers beside large triangles, copies; from points on the surface to the end of the range of f64.
+//! and slivers beside large triangles, flat triangles, copies; from points on the surface to the end of the range of f64.
 
 mod common;
 
@@ -46,6 +46,11 @@ fn trouble_changes_no_bit() {
         specks_and_slivers(),
         mixed,
         ball.duplicated().double_sided(),
+        bodies::with_flat_triangles(&bodies::unit_cube()),
+        bodies::with_flat_triangles(&ball).scaled(1.0 / 3.0).translated([0.1, 0.2, 0.3]),
+        bodies::lattice_soup(600),
+        bodies::lattice_soup(600).scaled(1.0 / 7.0).translated([0.1, 1e3, -0.3]),
+        bodies::lattice_soup(600).map(|p| [p[0] * 0.6 - p[1] * 0.8, p[0] * 0.8 + p[1] * 0.6, p[2] / 3.0]),
     ];
     let mut random = Random(11);
     let mut asked = 0;

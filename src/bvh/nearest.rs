@@ -5,7 +5,7 @@
 
 use super::{LEAF, Node, Tree};
 use crate::math::Vec3;
-use crate::simd::float8::{Float8, Keys8, LANE, Simd};
+use crate::simd::float8::{Float8, Keys8, LANE, Simd, slack};
 use crate::simd::lanes::WIDTH;
 use crate::simd::prefetch;
 
@@ -90,8 +90,8 @@ pub(crate) fn nearest_for_group<S: Simd, const SIGNED: bool, L: LeafDistance<S>>
 struct Descent<const STACK: usize> {
     /// The point relative to the tree and scaled.
     at: [f32; 3],
-    /// What distances are widened by for the rounding of f32.
-    room: f32,
+    /// What distances are off by for the rounding of the point.
+    slack: f32,
     /// Two arrays side by side: a node's eight keys and children are stored at once.
     keys: [i32; STACK],
     waiting: [u32; STACK],
@@ -102,7 +102,7 @@ struct Descent<const STACK: usize> {
 
 impl<const STACK: usize> Descent<STACK> {
     const NOWHERE: Descent<STACK> =
-        Descent { at: [0.0; 3], room: 0.0, keys: [0; STACK], waiting: [0; STACK], top: 0, child: 0 };
+        Descent { at: [0.0; 3], slack: 0.0, keys: [0; STACK], waiting: [0; STACK], top: 0, child: 0 };
 
     #[inline(always)]
     fn new(tree: &Tree, p: Vec3) -> Descent<STACK> {
@@ -114,9 +114,7 @@ impl<const STACK: usize> Descent<STACK> {
     #[inline(always)]
     fn place(&mut self, tree: &Tree, p: Vec3) {
         let at = tree.place(p);
-        // Room for the rounding of the point, of the differences and of the squares to f32, and for the lanes'
-        // numbers in the keys: boxes are within 1.
-        self.room = (4e-6 * (1.0 + at.abs().max_element())) as f32;
+        self.slack = slack(at.abs().max_element());
         self.at = [at.x as f32, at.y as f32, at.z as f32];
     }
 
@@ -143,13 +141,13 @@ impl<const STACK: usize> Descent<STACK> {
         start: f32,
         leaf: &mut impl LeafDistance<S>,
     ) {
-        let room = self.room;
+        let slack = self.slack;
         let limit = |distance: f32| {
             // Minus infinity, where nothing is of interest any more, has no key.
-            let distance = if distance > -1e15 { distance } else { -1e15 } + room;
+            let distance = if distance > -1e15 { distance } else { -1e15 } + slack;
             let key = distance * distance.abs();
-            // Rounded to nearest: the room above is larger by far.
-            order((key + key.abs() * 1e-6).to_bits() as i32) | LANE
+            // The box's square is off by five roundings and by fourteen for the lane in its key, the limit's by seven: 1.6e-6.
+            order((key + key.abs() * 3e-6).to_bits() as i32) | LANE
         };
         let mut bound = limit(start);
         loop {

@@ -6,19 +6,18 @@
 use super::{LEAF, Node, Tree};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
-use crate::simd::float8::{Float8, Simd};
+use crate::simd::float8::{Float8, Simd, slack};
 use crate::simd::lanes::WIDTH;
 
-/// Eight things whose distance from a point is known. (A trait: closures are not always inlined, and what is not
+/// Eight things whose distance from a point is known to be at least so much. `slack` is that of the point. (A trait: closures are not always inlined, and what is not
 /// inlined is compiled for the baseline.)
 pub(crate) trait Eight<S: Simd> {
-    fn distances(&self, simd: S, at: [f32; 3]) -> S::Float;
+    fn at_least(&self, simd: S, at: [f32; 3], slack: f32) -> S::Float;
 }
 
-/// Squared distances of boxes.
 impl<S: Simd> Eight<S> for Node {
     #[inline(always)]
-    fn distances(&self, simd: S, at: [f32; 3]) -> S::Float {
+    fn at_least(&self, simd: S, at: [f32; 3], slack: f32) -> S::Float {
         let mut sum = S::Float::splat(simd, 0.0);
         for axis in 0..3 {
             let c = S::Float::splat(simd, at[axis]);
@@ -26,7 +25,9 @@ impl<S: Simd> Eight<S> for Node {
             let outside = lo.sub(c).max(c.sub(hi)).max(S::Float::splat(simd, 0.0));
             sum = outside.mul(outside).add(sum);
         }
-        sum
+        // Squares, sum and root are off by fewer than eight roundings.
+        let distance = sum.sqrt();
+        distance.mul(S::Float::splat(simd, 1.0 - 4.0 * f32::EPSILON)).sub(S::Float::splat(simd, slack))
     }
 }
 
@@ -36,29 +37,23 @@ pub(crate) const WITNESSES: usize = 4;
 /// The corners of a box, and how far from each the witnesses are.
 pub(crate) struct Corners {
     at: [[f32; 3]; WIDTH],
-    /// Distances to the witnesses, with room for the rounding of what they are compared with.
+    slack: [f32; WIDTH],
+    /// Distances to the witnesses, rounded up.
     reach: [[f32; WIDTH]; WITNESSES],
-    squared: [[f32; WIDTH]; WITNESSES],
 }
 
 impl Corners {
-    /// Of corners and witnesses as the tree places them; `error` is that of a distance to a primitive relative to one plus
-    /// the largest coordinate, at least that of boxes.
-    pub(crate) fn new(corners: [Vec3; WIDTH], witnesses: [Vec3; WITNESSES], error: f64) -> Corners {
-        let largest = corners.iter().fold(0.0f64, |most, c| most.max(c.abs().max_element()));
-        // The error of the distance and as much again, beside which the rounding of an f64 is nothing, and that
-        // of the distance to the witness.
-        let room = 3.0 * error * (1.0 + largest);
+    /// Of corners and witnesses as the tree places them.
+    pub(crate) fn new(corners: [Vec3; WIDTH], witnesses: [Vec3; WITNESSES]) -> Corners {
         let mut all = Corners {
             at: corners.map(|c| [c.x as f32, c.y as f32, c.z as f32]),
+            slack: corners.map(|c| slack(c.abs().max_element())),
             reach: [[0.0; WIDTH]; WITNESSES],
-            squared: [[0.0; WIDTH]; WITNESSES],
         };
         for (j, witness) in witnesses.into_iter().enumerate() {
             for (k, corner) in corners.into_iter().enumerate() {
-                let reach = (corner - witness).length() + room;
-                all.reach[j][k] = reach as f32;
-                all.squared[j][k] = (reach * reach) as f32;
+                // Beside a rounding of an f32 those of the f64 before it are nothing.
+                all.reach[j][k] = ((corner - witness).length() * (1.0 + f64::from(f32::EPSILON))) as f32;
             }
         }
         all
@@ -67,21 +62,11 @@ impl Corners {
     /// A bit for each of eight things that may be nearest somewhere.
     #[inline(always)]
     pub(crate) fn survivors<S: Simd>(&self, simd: S, things: &impl Eight<S>) -> u32 {
-        self.not_beyond(simd, &self.reach, things)
-    }
-
-    #[inline(always)]
-    fn surviving_boxes<S: Simd>(&self, simd: S, boxes: &Node) -> u32 {
-        self.not_beyond(simd, &self.squared, boxes)
-    }
-
-    #[inline(always)]
-    fn not_beyond<S: Simd>(&self, simd: S, reach: &[[f32; WIDTH]; WITNESSES], things: &impl Eight<S>) -> u32 {
         let mut least = [S::Float::splat(simd, f32::INFINITY); WITNESSES];
         for k in 0..WIDTH {
-            let distance = things.distances(simd, self.at[k]);
+            let distance = things.at_least(simd, self.at[k], self.slack[k]);
             for j in 0..WITNESSES {
-                least[j] = distance.sub(S::Float::splat(simd, reach[j][k])).min(least[j]);
+                least[j] = distance.sub(S::Float::splat(simd, self.reach[j][k])).min(least[j]);
             }
         }
         let mut bits = 0xFF;
@@ -129,13 +114,13 @@ impl LeafList {
         Ok(())
     }
 
-    /// Squared distances of a point to the boxes, in eights; infinite beyond the last.
+    /// How far a point is from the boxes at least, in eights; infinite beyond the last.
     #[inline(always)]
-    pub(crate) fn squares<S: Simd>(&self, simd: S, at: [f32; 3], out: &mut Vec<f32>) -> Result<()> {
+    pub(crate) fn distances<S: Simd>(&self, simd: S, at: [f32; 3], slack: f32, out: &mut Vec<f32>) -> Result<()> {
         out.clear();
         out.try_reserve(WIDTH * self.groups.len()).map_err(|_| Error::memory("leaves", self.count))?;
         for group in &self.groups {
-            out.extend_from_slice(&group.distances(simd, at).lanes());
+            out.extend_from_slice(&group.at_least(simd, at, slack).lanes());
         }
         Ok(())
     }
@@ -145,7 +130,7 @@ impl LeafList {
     pub(crate) fn sift<S: Simd>(&mut self, simd: S, from: &LeafList, corners: &Corners) -> Result<()> {
         self.clear();
         for group in &from.groups {
-            let mut bits = corners.surviving_boxes(simd, group);
+            let mut bits = corners.survivors(simd, group);
             while bits != 0 {
                 let k = bits.trailing_zeros() as usize & (WIDTH - 1);
                 bits &= bits - 1;
@@ -174,7 +159,7 @@ impl Tree {
         stack.push(0);
         while let Some(at) = stack.pop() {
             let node = &self.nodes[at as usize];
-            let mut bits = corners.surviving_boxes(simd, node);
+            let mut bits = corners.survivors(simd, node);
             while bits != 0 {
                 let k = bits.trailing_zeros() as usize & (WIDTH - 1);
                 bits &= bits - 1;

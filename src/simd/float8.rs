@@ -6,6 +6,15 @@
 use super::Kernel;
 use super::lanes::{F32x8, I32x8, WIDTH};
 
+/// A rounding of an f32, relative.
+const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+
+/// How far rounding to f32 moves two points from each other, one of them with coordinates up to `largest`, the other
+/// up to one: at most the root of three times their sum, here with room for the rounding of f64 beside it.
+pub(crate) fn slack(largest: f64) -> f32 {
+    (2.5 * ROUNDING * (1.0 + largest)) as f32
+}
+
 /// What a level can do. A value of the type is the proof that the processor can.
 pub(crate) trait Simd: Copy {
     type Float: Float8<Self>;

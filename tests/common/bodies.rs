@@ -287,3 +287,41 @@ pub fn sheet(n: usize) -> Soup {
     }
     Soup { vertices, triangles }
 }
+
+/// The body with triangles halved at the middle of their longest edge, where that of their neighbour is not; a flat
+/// triangle closes the gap.
+pub fn with_flat_triangles(soup: &Soup) -> Soup {
+    let mut out = Soup { vertices: soup.vertices.clone(), triangles: vec![] };
+    let mut halved = std::collections::HashSet::new();
+    for (t, &triangle) in soup.triangles.iter().enumerate() {
+        let squared = |k: usize| {
+            let (a, b) = (soup.corners(t)[k], soup.corners(t)[(k + 1) % 3]);
+            (0..3).map(|axis| (b[axis] - a[axis]).powi(2)).sum::<f64>()
+        };
+        let longest = (1..3).fold(0, |best, k| if squared(k) > squared(best) { k } else { best });
+        let [i, j, top] = [0, 1, 2].map(|k| triangle[(longest + k) % 3]);
+        if !halved.insert((i.min(j), i.max(j))) {
+            out.triangles.push(triangle);
+            continue;
+        }
+        let (a, b) = (soup.vertices[i as usize], soup.vertices[j as usize]);
+        let middle = out.vertices.len() as u32;
+        out.vertices.push([0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis])));
+        out.triangles.extend([[i, middle, top], [middle, j, top], [i, j, middle]]);
+    }
+    out
+}
+
+/// Triangles between points of a coarse lattice, of which every third is flat, and some a point.
+pub fn lattice_soup(count: u32) -> Soup {
+    let mut random = super::random::Random(23);
+    let mut soup = Soup { vertices: vec![], triangles: vec![] };
+    for t in 0..count {
+        let mut whole = || [0; 3].map(|_: i32| random.below(9) as f64 - 4.0);
+        let (a, b, c) = (whole(), whole(), whole());
+        let c = if t % 3 == 0 { [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * ((t / 3 % 5) as f64 - 1.0)) } else { c };
+        soup.vertices.extend([a, b, c]);
+        soup.triangles.push([3 * t, 3 * t + 1, 3 * t + 2]);
+    }
+    soup
+}

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Nearest triangle: least squared distance as the kernel computes it, then least index.
 //!
-//! The hierarchy's leaves are looked at in f32, eight triangles at once (`primitive/estimate.rs`). What is not farther
-//! than the nearest by more than twice the bound of an estimate is kept, and the kernel decides at the end among the
-//! few that are left, so the answer is that of the kernel over all triangles to the bit.
+//! The hierarchy's leaves are looked at in f32, eight triangles at once (`primitive/estimate.rs`). What may be as near
+//! as the nearest is at most is kept, and the kernel decides at the end among the few that are left, so the answer is
+//! that of the kernel over all triangles to the bit.
 
 use super::{Leaf, NO_TRIANGLE, Surface};
 use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::math::{Vec3, length};
-use crate::primitive::estimate;
 use crate::primitive::triangle::{self, Foot, Prepared, V3};
-use crate::simd::float8::{Float8, Simd};
+use crate::simd::float8::{Float8, Simd, slack};
 use crate::simd::lanes::{F64x8, Lanes, WIDTH};
 use crate::simd::{Kernel, dispatch, prefetch};
 
@@ -53,6 +52,14 @@ impl Best {
             *self = Best { foot, triangle };
         }
     }
+
+    #[inline(always)]
+    fn offer_all(&mut self, feet: &Foot<F64x8>, triangles: &[u32]) {
+        for (k, &triangle) in triangles.iter().enumerate() {
+            let (squared, feature, along) = (feet.squared.0[k], feet.feature.0[k], feet.along.0[k]);
+            self.offer(Foot { squared, feature, along }, triangle);
+        }
+    }
 }
 
 /// The search by the hierarchy.
@@ -71,6 +78,31 @@ impl Kernel for Search<'_> {
         let mut best = Best::NONE;
         let mut candidates = Candidates::new(surface, tree, p, &mut best);
         bvh::nearest::<S, false>(simd, tree, p, f32::INFINITY, &mut candidates);
+        best
+    }
+}
+
+/// Brute force: the kernel for every triangle.
+struct OfAll<'a> {
+    surface: &'a Surface,
+    p: Vec3,
+}
+
+impl Kernel for OfAll<'_> {
+    type Output = Best;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) -> Best {
+        let OfAll { surface, p } = self;
+        let mut best = Best::NONE;
+        for from in (0..surface.triangles.len() as u32).step_by(WIDTH) {
+            let mut all = [0; WIDTH];
+            for k in 0..WIDTH {
+                all[k] = from + k as u32;
+            }
+            let count = WIDTH.min(surface.triangles.len() - from as usize);
+            best.offer_all(&surface.feet(&all[..count], p), &all[..count]);
+        }
         best
     }
 }
@@ -101,9 +133,10 @@ impl Kernel for SearchGroup<'_> {
 pub(super) struct Waiting<'a> {
     surface: &'a Surface,
     p: Vec3,
-    /// The least estimate.
-    nearest: f32,
-    estimates: [f32; WAITING],
+    /// How far the nearest is at most.
+    limit: f32,
+    /// How far each is at least.
+    lower: [f32; WAITING],
     triangles: [u32; WAITING],
     count: usize,
     /// Of those that do not wait any more.
@@ -113,19 +146,18 @@ pub(super) struct Waiting<'a> {
 impl<'a> Waiting<'a> {
     #[inline(always)]
     pub(super) fn new(surface: &'a Surface, p: Vec3) -> Waiting<'a> {
-        let (estimates, triangles) = ([0.0; WAITING], [0; WAITING]);
-        Waiting { surface, p, nearest: f32::INFINITY, estimates, triangles, count: 0, best: Best::NONE }
+        let (lower, triangles) = ([0.0; WAITING], [0; WAITING]);
+        Waiting { surface, p, limit: f32::INFINITY, lower, triangles, count: 0, best: Best::NONE }
     }
 
-    /// Looks at a leaf from a point as the tree places it; the estimate beyond which nothing is of interest. `room` is
-    /// twice the bound of an estimate.
+    /// Looks at a leaf from a point as the tree places it; the distance beyond which nothing is of interest.
     #[inline(always)]
-    pub(super) fn look<S: Simd>(&mut self, simd: S, leaf: &Leaf, at: [f32; 3], room: f32) -> f32 {
-        let estimates = leaf.estimates.distances(simd, at);
-        let least = estimates.least();
-        self.nearest = if least < self.nearest { least } else { self.nearest };
-        let limit = self.nearest + room;
-        let mut near = estimates.not_above(limit);
+    pub(super) fn look<S: Simd>(&mut self, simd: S, leaf: &Leaf, at: [f32; 3], slack: f32) -> f32 {
+        let [lower, upper] = leaf.estimates.between(simd, at, slack);
+        let least = upper.least();
+        let limit = if least < self.limit { least } else { self.limit };
+        self.limit = limit;
+        let mut near = lower.not_above(limit);
         if near != 0 && self.count > WAITING - WIDTH {
             // Where many are as near as each other, the kernel is asked about them on the way.
             self.sift(limit);
@@ -133,12 +165,12 @@ impl<'a> Waiting<'a> {
                 self.settle(simd);
             }
         }
-        let estimates = estimates.lanes();
+        let lower = lower.lanes();
         while near != 0 {
             let k = near.trailing_zeros() as usize & (WIDTH - 1);
             near &= near - 1;
             if leaf.triangle[k] != NO_TRIANGLE {
-                self.push(leaf.triangle[k], estimates[k]);
+                self.push(leaf.triangle[k], lower[k]);
             }
         }
         limit
@@ -146,17 +178,17 @@ impl<'a> Waiting<'a> {
 
     /// Adds one more.
     #[inline(always)]
-    pub(super) fn add<S: Simd>(&mut self, simd: S, triangle: u32, estimate: f32) {
+    pub(super) fn add<S: Simd>(&mut self, simd: S, triangle: u32, lower: f32) {
         if self.count == WAITING {
             self.settle(simd);
         }
-        self.push(triangle, estimate);
+        self.push(triangle, lower);
     }
 
     #[inline(always)]
-    fn push(&mut self, triangle: u32, estimate: f32) {
+    fn push(&mut self, triangle: u32, lower: f32) {
         let slot = self.count & (WAITING - 1);
-        (self.estimates[slot], self.triangles[slot]) = (estimate, triangle);
+        (self.lower[slot], self.triangles[slot]) = (lower, triangle);
         self.count += 1;
     }
 
@@ -165,9 +197,9 @@ impl<'a> Waiting<'a> {
     fn sift(&mut self, limit: f32) {
         let mut left = 0;
         for k in 0..self.count {
-            (self.estimates[left], self.triangles[left]) = (self.estimates[k], self.triangles[k]);
+            (self.lower[left], self.triangles[left]) = (self.lower[k], self.triangles[k]);
             // What is no number is never too far.
-            let is_far = self.estimates[k] > limit;
+            let is_far = self.lower[k] > limit;
             left += usize::from(!is_far);
         }
         self.count = left;
@@ -175,8 +207,8 @@ impl<'a> Waiting<'a> {
 
     /// Asks the kernel about all that are still near enough.
     #[inline(always)]
-    pub(super) fn settle_all<S: Simd>(&mut self, simd: S, room: f32) {
-        self.sift(self.nearest + room);
+    pub(super) fn settle_all<S: Simd>(&mut self, simd: S) {
+        self.sift(self.limit);
         self.settle(simd);
     }
 
@@ -194,11 +226,7 @@ impl<'a> Waiting<'a> {
                 self.best.offer(self.surface.foot(triangle, self.p), triangle);
                 continue;
             }
-            let feet = self.surface.feet(all, self.p);
-            for (k, &triangle) in all.iter().enumerate() {
-                let (squared, feature, along) = (feet.squared.0[k], feet.feature.0[k], feet.along.0[k]);
-                self.best.offer(Foot { squared, feature, along }, triangle);
-            }
+            self.best.offer_all(&self.surface.feet(all, self.p), all);
         }
         self.count = 0;
     }
@@ -220,8 +248,7 @@ struct Candidates<'a> {
     waiting: Waiting<'a>,
     /// The point as the tree and its leaves have it.
     at: [f32; 3],
-    /// Twice the bound of an estimate.
-    room: f32,
+    slack: f32,
     out: &'a mut Best,
 }
 
@@ -229,8 +256,8 @@ impl<'a> Candidates<'a> {
     #[inline(always)]
     fn new(surface: &'a Surface, tree: &Tree, p: Vec3, out: &'a mut Best) -> Candidates<'a> {
         let at = tree.place(p);
-        let room = (2.0 * estimate::ERROR * (1.0 + at.abs().max_element())) as f32;
-        Candidates { waiting: Waiting::new(surface, p), at: [at.x as f32, at.y as f32, at.z as f32], room, out }
+        let slack = slack(at.abs().max_element());
+        Candidates { waiting: Waiting::new(surface, p), at: [at.x as f32, at.y as f32, at.z as f32], slack, out }
     }
 }
 
@@ -238,12 +265,12 @@ impl<S: Simd> LeafDistance<S> for Candidates<'_> {
     #[inline(always)]
     fn visit(&mut self, simd: S, leaf: usize) -> f32 {
         let leaf = &self.waiting.surface.leaves[leaf];
-        self.waiting.look(simd, leaf, self.at, self.room)
+        self.waiting.look(simd, leaf, self.at, self.slack)
     }
 
     #[inline(always)]
     fn finish(&mut self, simd: S) {
-        self.waiting.settle_all(simd, self.room);
+        self.waiting.settle_all(simd);
         *self.out = self.waiting.best;
     }
 }
@@ -255,16 +282,9 @@ impl Surface {
             p,
             match &self.tree {
                 Some(tree) => dispatch(Search { surface: self, tree, p }),
-                None => self.nearest_of_all(p),
+                None => dispatch(OfAll { surface: self, p }),
             },
         )
-    }
-
-    /// Brute force, one triangle at a time.
-    fn nearest_of_all(&self, p: Vec3) -> Best {
-        let mut best = Best::NONE;
-        (0..self.triangles.len() as u32).for_each(|t| best.offer(self.foot(t, p), t));
-        best
     }
 
     /// The signed distances of many finite points.

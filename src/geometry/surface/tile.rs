@@ -9,8 +9,8 @@ use super::{Leaf, NO_TRIANGLE, Nearest, Surface};
 use crate::bvh::{Corners, Eight, LeafList, Tree, WITNESSES};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
-use crate::primitive::estimate::{ERROR, Estimates};
-use crate::simd::float8::{Float8, Simd};
+use crate::primitive::estimate::Estimates;
+use crate::simd::float8::{Float8, Simd, slack};
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
 use std::ops::Range;
@@ -81,10 +81,9 @@ struct Scratch {
     stack: Vec<u32>,
     large: LeafList,
     small: LeafList,
-    squares: Vec<f32>,
+    distances: Vec<f32>,
     triangles: Vec<Leaf>,
     count: usize,
-    estimates: Vec<[f32; WIDTH]>,
 }
 
 impl Surface {
@@ -194,8 +193,9 @@ impl Kernel for Ask<'_, '_, '_> {
 
 impl<S: Simd> Eight<S> for Leaf {
     #[inline(always)]
-    fn distances(&self, simd: S, at: [f32; 3]) -> S::Float {
-        self.estimates.distances(simd, at)
+    fn at_least(&self, simd: S, at: [f32; 3], slack: f32) -> S::Float {
+        let [lower, _] = self.estimates.between(simd, at, slack);
+        lower
     }
 }
 
@@ -228,23 +228,21 @@ impl Work<'_, '_> {
     /// The nearest triangle of all leaves of the large cube.
     #[inline(always)]
     fn by_leaves<S: Simd>(&mut self, simd: S, p: Vec3) -> Result<Nearest> {
-        let Scratch { large, squares, .. } = self.scratch;
+        let Scratch { large, distances, .. } = self.scratch;
         let placed = self.tree.place(p);
         let at = [placed.x as f32, placed.y as f32, placed.z as f32];
-        large.squares(simd, at, squares)?;
-        let first = (0..large.len()).fold(0, |best, k| if squares[k] < squares[best] { k } else { best });
-        let room = (2.0 * ERROR * (1.0 + placed.abs().max_element())) as f32;
+        let slack = slack(placed.abs().max_element());
+        large.distances(simd, at, slack, distances)?;
+        let first = (0..large.len()).fold(0, |best, k| if distances[k] < distances[best] { k } else { best });
         let mut waiting = Waiting::new(self.surface, p);
-        let mut limit = waiting.look(simd, &self.surface.leaves[large.leaf(first)], at, room);
+        let mut limit = waiting.look(simd, &self.surface.leaves[large.leaf(first)], at, slack);
         for k in 0..large.len() {
-            // The error of a box is no larger than that of an estimate.
-            let reach = limit + room;
-            let is_far = squares[k] > reach * reach;
+            let is_far = distances[k] > limit;
             if k != first && !is_far {
-                limit = waiting.look(simd, &self.surface.leaves[large.leaf(k)], at, room);
+                limit = waiting.look(simd, &self.surface.leaves[large.leaf(k)], at, slack);
             }
         }
-        waiting.settle_all(simd, room);
+        waiting.settle_all(simd);
         Ok(self.surface.at(p, waiting.best))
     }
 
@@ -284,27 +282,27 @@ impl Work<'_, '_> {
     /// The nearest of the triangles laid side by side.
     #[inline(always)]
     fn by_triangles<S: Simd>(&mut self, simd: S, p: Vec3) -> Result<Nearest> {
-        let Scratch { triangles, estimates, .. } = self.scratch;
+        let Scratch { triangles, distances, .. } = self.scratch;
         let placed = self.tree.place(p);
         let at = [placed.x as f32, placed.y as f32, placed.z as f32];
-        let room = (2.0 * ERROR * (1.0 + placed.abs().max_element())) as f32;
-        estimates.clear();
-        estimates.try_reserve(triangles.len()).map_err(|_| Error::memory("leaves", triangles.len()))?;
+        let slack = slack(placed.abs().max_element());
+        distances.clear();
+        distances.try_reserve(WIDTH * triangles.len()).map_err(|_| Error::memory("leaves", triangles.len()))?;
         let mut least = S::Float::splat(simd, f32::INFINITY);
         for leaf in triangles.iter() {
-            let distances = leaf.distances(simd, at);
-            least = distances.min(least);
-            estimates.push(distances.lanes());
+            let [lower, upper] = leaf.estimates.between(simd, at, slack);
+            least = upper.min(least);
+            distances.extend_from_slice(&lower.lanes());
         }
-        let limit = least.least() + room;
+        let limit = least.least();
         let mut waiting = Waiting::new(self.surface, p);
-        for (leaf, distances) in triangles.iter().zip(estimates.iter()) {
-            let mut near = S::Float::load(simd, distances).not_above(limit);
+        for (leaf, lower) in triangles.iter().zip(distances.as_chunks::<WIDTH>().0) {
+            let mut near = S::Float::load(simd, lower).not_above(limit);
             while near != 0 {
                 let k = near.trailing_zeros() as usize & (WIDTH - 1);
                 near &= near - 1;
                 if leaf.triangle[k] != NO_TRIANGLE {
-                    waiting.add(simd, leaf.triangle[k], distances[k]);
+                    waiting.add(simd, leaf.triangle[k], lower[k]);
                 }
             }
         }
@@ -326,5 +324,5 @@ fn corners(tree: &Tree, at: [Vec3; WIDTH], nearest: &[Nearest; WIDTH]) -> Corner
         }
     }
     let witnesses = chosen.map(|k| tree.place(nearest[k].point));
-    Corners::new(at.map(|c| tree.place(c)), witnesses, ERROR)
+    Corners::new(at.map(|c| tree.place(c)), witnesses)
 }
