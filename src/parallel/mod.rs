@@ -64,6 +64,21 @@ impl<'a> Run<'a> {
         job.finish()
     }
 
+    /// Calls `work` with pieces of `all` of up to `size`, and where each begins.
+    pub(crate) fn for_each_piece<T: Send>(
+        &self,
+        all: &mut [T],
+        size: usize,
+        work: &(dyn Fn(usize, &mut [T]) -> Result<()> + Sync),
+    ) -> Result<()> {
+        let mut pieces = error::try_with_capacity("pieces", all.len().div_ceil(size))?;
+        pieces.extend(all.chunks_mut(size).map(Mutex::new));
+        self.for_each_chunk(pieces.len(), &|k| {
+            let mut piece = pieces[k].lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+            work(k * size, &mut piece)
+        })
+    }
+
     /// Tells the progress; [`Status::Cancelled`] where it asks to stop. Only from the calling thread.
     pub fn tell(&self, fraction: f64) -> Result<()> {
         match self.progress {

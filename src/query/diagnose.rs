@@ -2,7 +2,7 @@
 //! What is the matter with a mesh, its intersections with itself included.
 
 use crate::bvh::{LEAF_SIZE, Tree};
-use crate::error::{Result, try_with_capacity};
+use crate::error::Result;
 use crate::geometry::contacts::Contacts;
 use crate::math::Aabb;
 use crate::mesh::{Diagnosis, DiagnosisOptions, HalfEdges, Intersections, Mesh};
@@ -39,10 +39,8 @@ fn intersections(mesh: &Mesh, limit: usize, run: &Run) -> Result<Intersections> 
     };
     let topology = own.as_ref().unwrap_or(mesh.half_edges());
     let contacts = Contacts::new(mesh.vertices(), triangles, topology, 0.0, true)?;
-    let mut boxes = try_with_capacity("boxes", triangles.len())?;
-    boxes.extend(triangles.iter().map(|t| Aabb::of(t.corners(mesh.vertices()))));
-    let (tree, leaves) = Tree::build(&boxes, LEAF_SIZE)?;
-    drop(boxes);
+    let bounds = |t: usize| Aabb::of(triangles[t].corners(mesh.vertices()));
+    let (tree, leaves) = Tree::build(triangles.len(), &bounds, LEAF_SIZE, run)?;
     // One more tells whether there are more.
     let found = contacts.find(&tree, &leaves, limit.saturating_add(1), run)?;
     let mut faces = found.pairs;

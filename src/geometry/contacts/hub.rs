@@ -10,6 +10,7 @@ use super::groups::GROUP;
 use crate::bvh::{ALONE, LEAF_SIZE, Pairs, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, length, unit};
+use crate::parallel;
 
 /// Room for the rounding of a unit vector.
 const ROUNDING: f64 = 1e-14;
@@ -65,7 +66,7 @@ impl Contacts<'_> {
         }
         let mut boxes = try_with_capacity("boxes", spreads.len())?;
         boxes.extend(spreads.iter().map(bounds));
-        let (tree, leaves) = Tree::build(&boxes, LEAF_SIZE)?;
+        let (tree, leaves) = Tree::build(boxes.len(), &|k| boxes[k], LEAF_SIZE, &parallel::Run::SERIAL)?;
         let pairs = Pairs::new(&tree, &leaves.order, &leaves.start, |k| boxes[k as usize], groups)?;
         let (mut stack, mut near) = (Vec::new(), Vec::new());
         for leaf in 0..pairs.leaf_count() {

@@ -11,6 +11,7 @@ use crate::geometry::Kind;
 use crate::geometry::node::Node;
 use crate::geometry::shape::Sphere;
 use crate::math::Aabb;
+use crate::parallel;
 
 /// Parts whose values rise slower than this stand beside: they would spoil the bounds of all others.
 const MOST_SPREAD: f64 = 16.0;
@@ -158,7 +159,7 @@ pub(super) fn as_sphere(part: &Geometry) -> Option<Sphere> {
 fn build(list: &[Geometry], members: &[u32], turned: bool, leaf: usize) -> Result<(Tree, Vec<u32>, Vec<u32>)> {
     let mut boxes = try_with_capacity("boxes", members.len())?;
     boxes.extend(members.iter().map(|&k| around(&list[k as usize], turned)));
-    let (tree, mut leaves) = Tree::build(&boxes, leaf)?;
+    let (tree, mut leaves) = Tree::build(boxes.len(), &|k| boxes[k], leaf, &parallel::Run::SERIAL)?;
     leaves.order.iter_mut().for_each(|k| *k = members[*k as usize]);
     Ok((tree, leaves.order, leaves.start))
 }

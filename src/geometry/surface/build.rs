@@ -5,12 +5,15 @@ use super::{ALONE, Corners, Leaf, NO_TRIANGLE, Sign, Surface};
 use crate::bvh::{LEAF_SIZE, Tree};
 use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
-use crate::math::Aabb;
-use crate::mesh::{HalfEdges, Mesh};
+use crate::math::{Aabb, Vec3};
+use crate::mesh::{HalfEdges, Mesh, filled};
 use crate::parallel::Run;
 use crate::primitive::estimate::Estimates;
 use crate::primitive::triangle;
 use crate::simd::lanes::WIDTH;
+
+/// Leaves or triangles that a thread does in one go.
+const PIECE: usize = 2048;
 
 impl Surface {
     /// Builds the distance to a mesh. O(n log n), the check that it does not pass through itself included.
@@ -20,7 +23,7 @@ impl Surface {
         let mesh = distinct.as_ref().unwrap_or(mesh);
         let of_triangles = HalfEdges::of_pieces(mesh)?;
         let topology = of_triangles.as_ref().unwrap_or(mesh.half_edges());
-        let mut surface = assemble(mesh, topology, sign)?;
+        let mut surface = assemble(mesh, topology, sign, run)?;
         if surface.sign == Sign::Pseudonormal {
             surface.distrust_unclear_normals(mesh);
             surface.check_embedding(mesh, topology, options.sign, run)?;
@@ -76,28 +79,33 @@ fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
 }
 
 /// Lays everything out; the sign is not checked yet. `topology` is that of the triangles.
-fn assemble(mesh: &Mesh, topology: &HalfEdges, sign: Sign) -> Result<Surface> {
+fn assemble(mesh: &Mesh, topology: &HalfEdges, sign: Sign, run: &Run) -> Result<Surface> {
+    // What comes after it tells the progress.
+    let run = &Run { progress: None, ..*run };
     let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
     if triangles.is_empty() {
         return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
     }
     let corners = |t: usize| triangles[t].corners(vertices);
-    let mut boxes = try_with_capacity("boxes", triangles.len())?;
-    boxes.extend((0..triangles.len()).map(|t| Aabb::of(corners(t))));
-    let (tree, order) = Tree::build(&boxes, LEAF_SIZE)?;
-    drop(boxes);
-    let mut leaves = try_with_capacity("leaves", order.start.len())?;
-    for range in order.start.windows(2) {
-        let mut leaf = Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] };
-        for (lane, &t) in order.order[range[0] as usize..range[1] as usize].iter().enumerate() {
-            leaf.estimates.set(lane, corners(t as usize).map(|c| tree.place(c)));
-            leaf.triangle[lane] = t;
+    let (tree, order) = Tree::build(triangles.len(), &|t| Aabb::of(corners(t)), LEAF_SIZE, run)?;
+    let none = Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] };
+    let mut leaves = filled("leaves", order.start.len() - 1, none)?;
+    run.for_each_piece(&mut leaves, PIECE, &|from, leaves| {
+        for (k, leaf) in (from..).zip(leaves) {
+            let members = order.start[k] as usize..order.start[k + 1] as usize;
+            for (lane, &t) in order.order[members].iter().enumerate() {
+                leaf.estimates.set(lane, corners(t as usize).map(|c| tree.place(c)));
+                leaf.triangle[lane] = t;
+            }
         }
-        leaves.push(leaf);
-    }
+        Ok(())
+    })?;
     drop(order);
-    let mut normals = try_with_capacity("normals", triangles.len())?;
-    normals.extend((0..triangles.len()).map(|t| triangle::normal(corners(t))));
+    let mut normals = filled("normals", triangles.len(), Vec3::ZERO)?;
+    run.for_each_piece(&mut normals, PIECE, &|from, normals| {
+        normals.iter_mut().enumerate().for_each(|(k, n)| *n = triangle::normal(corners(from + k)));
+        Ok(())
+    })?;
     let mut neighbours = try_with_capacity("neighbours", triangles.len())?;
     let neighbour = |h: u32| topology.twin(h).map_or(ALONE, |twin| topology.face(twin));
     neighbours.extend((0..triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2].map(neighbour)));
