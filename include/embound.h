@@ -240,7 +240,8 @@
 // A hierarchy of small memory. Not in this version: EMB_ERROR_UNSUPPORTED.
 #define EMB_ACCELERATOR_COMPACT 2
 
-// The value is the signed distance to the surface.
+// The value is the signed distance to the surface. Of a mesh that passes through itself, all of its faces count: inside,
+// the value may be the distance to a face that lies within the body.
 #define EMB_EXACT 0
 
 // The magnitude of the value is not above the distance to the surface.
@@ -333,9 +334,10 @@ typedef struct emb_mesh_options {
   // Shift, after scale and rotation; 0 by default.
   double shift[3];
   // Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
-  // equal positions; -1: none.
+  // equal positions; -1: none. Of meshes that stand, in emb_mesh_join and emb_mesh_transform, 0 welds none either.
   double weld_tolerance;
-  // EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE.
+  // EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE. In emb_mesh_join and
+  // emb_mesh_transform AUTO turns nothing unless weld_tolerance is above 0.
   int32_t orient;
   // EMB_FORMAT_DETECT, the default, or the format the bytes must be in; used when reading.
   int32_t format;
@@ -946,9 +948,13 @@ emb_status emb_mesh_from_polygons(size_t vertex_count,
 // ".stl" (binary: triangles in float), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
 // All but STL hold polygons, coordinates to the bit, tags and their names; PLY, VTK and VTP all named data, OBJ of
 // them the vertices' red, green and blue alone. Faces are numbered anew where the mesh lost some. The file appears
-// under its name when it is complete. Any thread. Cost: linear; the file's bytes are in memory meanwhile.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; a coordinate beyond the float of STL; face data of
-// the name that the file has for tags), EMB_ERROR_IO, EMB_ERROR_MEMORY.
+// under its name when it is complete. Vertices that stand apart at one position, as EMB_REPAIR_SPLIT leaves them, are
+// written apart but for STL, and are one again where the file is read with the default weld_tolerance: with -1 they stay
+// apart. In the same way an orientation kept or flipped needs EMB_ORIENT_KEEP when read. Any thread. Cost: linear; the
+// file's bytes are in memory meanwhile. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; a coordinate
+// beyond the float of STL; data of a name that the format has for something else: in .ply, in any case, x, y and z of
+// vertices and vertex_indices and tag of faces; in .vtk and .vtp tag of faces, where the mesh has tags, too, or the data
+// would be read as tags), EMB_ERROR_IO, EMB_ERROR_MEMORY.
 emb_status emb_mesh_write(const emb_mesh *mesh,
                           const char *path);
 
@@ -973,11 +979,16 @@ size_t emb_mesh_face_count(const emb_mesh *mesh);
 // Triangles that the faces as they stand are cut into; 0 for NULL. O(1).
 size_t emb_mesh_triangle_count(const emb_mesh *mesh);
 
+// 1: the mesh as it stands has an inside, so that emb_geom_from_mesh gives it a sign; each of its edges has as many
+// faces one way as the other. 0: it is open or disagrees with itself, and for NULL. O(1): known since the mesh was made.
+int32_t emb_mesh_has_inside(const emb_mesh *mesh);
+
 // Half-edges: corners of all faces as they stand; 0 for NULL. O(1).
 size_t emb_mesh_half_edge_count(const emb_mesh *mesh);
 
 // Copies the positions of the vertices first .. first + count - 1 to out_xyz (3 * count numbers). Vertices are
-// ordered by the lowest input vertex that each was welded from.
+// ordered by the lowest input vertex that each was welded from; those that no face uses are left out. So with
+// emb_mesh_options.weld_tolerance -1 and every vertex used, vertex v is vertex v of the arrays given.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last vertex). Any thread.
 emb_status emb_mesh_vertices(const emb_mesh *mesh, size_t first, size_t count, double *out_xyz);
 
@@ -1082,8 +1093,9 @@ emb_status emb_mesh_tag_name(const emb_mesh *mesh,
                              size_t *out_size);
 
 // The mesh with other tags: one number for each input face (emb_mesh_face_count of them), and `name_count` names, each
-// for the tag at the same place of `named_tags`. Tags, names and no others: those of before are gone. A field of ids
-// becomes tags by emb_mesh_field_values and this. Cost: linear; the mesh is copied.
+// for the tag at the same place of `named_tags`. Tags, names and no others: those of before are gone. A tag that no face
+// has may have a name, which emb_mesh_tag_name tells; emb_mesh_tags does not list it. A field of ids becomes tags by
+// emb_mesh_field_values and this. Cost: linear; the mesh is copied.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8, not one line or has
 // white space around it; a tag named twice), EMB_ERROR_MEMORY.
 emb_status emb_mesh_with_tags(const emb_mesh *mesh,
@@ -1118,9 +1130,12 @@ emb_status emb_mesh_field_values(const emb_mesh *mesh,
                                  double *out_values);
 
 // The mesh with one more named field, or another in the place of one of the same name: `components` numbers for each
-// vertex as it stands (emb_mesh_vertex_count of them) or for each input face (emb_mesh_face_count). Cost: linear; the
-// mesh is copied. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, components 0, a name that is empty,
-// not UTF-8, not one line or has white space around it), EMB_ERROR_MEMORY.
+// vertex as it stands (emb_mesh_vertex_count of them) or for each input face (emb_mesh_face_count). Vertices as they
+// stand are those that welding left, not those given: to give data for the latter, make the mesh with weld_tolerance -1
+// (emb_mesh_vertices says which vertex is which), add the data, and let emb_mesh_repair weld with EMB_REPAIR_WELD, which
+// keeps data that differ. Cost: linear; the mesh is copied.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, components 0, a name that is empty, not UTF-8, not
+// one line or has white space around it), EMB_ERROR_MEMORY.
 emb_status emb_mesh_with_field(const emb_mesh *mesh,
                                int32_t on,
                                const char *name,
@@ -1131,8 +1146,9 @@ emb_status emb_mesh_with_field(const emb_mesh *mesh,
 // The named data number k at `count` points of the surface, as emb_geom_closest names them: primitive[i] and piece[i]
 // (NULL: 0, which is right where all faces are triangles), and the barycentric weights barycentric[c][i * stride] of the
 // three corners. Data of vertices are interpolated linearly, data of faces are the face's. out_values takes `components`
-// numbers a point; NaN where primitive is -1 or no face of the mesh. In a composite geometry the mesh must be the one
-// that the closest part was made of. Any thread.
+// numbers a point; NaN where primitive is -1 or no face of the mesh. A number of a face says nothing of its mesh: in a
+// composite geometry `mesh` must be the one that the closest part was made of, else the values are those of another
+// place, with no error. Ask each mesh for the points that are its own, by the parts of emb_geom_part. Any thread.
 // Errors: EMB_ERROR_NULL_ARGUMENT (barycentric may be NULL for EMB_ON_FACES), EMB_ERROR_INVALID_ARGUMENT (on, k, stride
 // 0), EMB_ERROR_CANCELLED. Cost: linear.
 emb_status emb_mesh_interpolate(const emb_mesh *mesh,
@@ -1157,9 +1173,12 @@ emb_status emb_mesh_read_files(size_t count,
                                const emb_run *run,
                                emb_mesh **out_mesh);
 
-// Several meshes as one, welded, placed and oriented as `options` say (NULL: defaults). `tags` as in
-// emb_mesh_read_files. Face f of mesh k has the number f plus emb_mesh_face_count of those before it. Nothing is
-// intersected: bodies that pass through each other still do (emb_geom_union is for those). Cost: near linear.
+// Several meshes as one, placed as `options` say (NULL: defaults). `tags` as in emb_mesh_read_files. Face f of mesh k
+// has the number f plus emb_mesh_face_count of those before it. Unlike when reading, the defaults weld and turn nothing:
+// each mesh keeps its vertices (those that EMB_REPAIR_SPLIT made, too) and its orientation. An options->weld_tolerance
+// above 0 welds all of them together, as parts of one surface want (1e-12: equal positions), and orients as
+// options->orient says; without it EMB_ORIENT_AUTO turns nothing. Nothing is intersected: bodies that pass through each
+// other still do (emb_geom_union is for those). Cost: near linear.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (count 0, tags, options, data of one name that differ in
 // components), EMB_ERROR_MEMORY.
 emb_status emb_mesh_join(size_t count,
@@ -1168,8 +1187,9 @@ emb_status emb_mesh_join(size_t count,
                          const emb_mesh_options *options,
                          emb_mesh **out_mesh);
 
-// The same surface, scaled, rotated, shifted, welded and oriented anew as `options` say: EMB_ORIENT_FLIP turns it
-// over. Face numbers, tags and data stay. Cost: near linear.
+// The same surface, scaled, rotated and shifted as `options` say; EMB_ORIENT_FLIP turns it over. Face numbers, tags and
+// data stay, vectors among the data as they are: they are not rotated along. As in emb_mesh_join the defaults weld and
+// turn nothing. (Reflections are refused, so what was outward stays so.) Cost: near linear.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options), EMB_ERROR_MEMORY.
 emb_status emb_mesh_transform(const emb_mesh *mesh,
                               const emb_mesh_options *options,
@@ -1207,6 +1227,9 @@ emb_status emb_repair_options_init(emb_repair_options *options, size_t size);
 //   together, and so do bodies that share a wall.
 // - EMB_REPAIR_ORIENT: faces are turned over until neighbours agree, as the larger part of the area has it; closed
 //   shells face outward, those directly inside them inward, and so on in turn. Open shells only become consistent.
+//
+// What reads positions welds split vertices again: emb_mesh_read of a file that the mesh was written to (weld_tolerance
+// -1 keeps them, but not in STL), and emb_mesh_join and emb_mesh_transform where a weld_tolerance above 0 asks for it.
 //
 // Faces keep their numbers, tags and data, so emb_geom_closest still names faces of the input; triangles that fill holes
 // take numbers from emb_mesh_face_count(mesh) on, data of vertices from the rim, and as data of faces NaN, or 0 where its
@@ -1254,7 +1277,8 @@ emb_status emb_diagnosis_options_init(emb_diagnosis_options *options, size_t siz
 // each other, nor do faces of zero area. `options` may be NULL. The same bits with any pool.
 // On success *out_diagnosis is the caller's, to be freed with emb_diagnosis_free.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED.
-// Cost: near linear in the faces and the pairs found; about 2 s a million triangles on one thread.
+// Cost: near linear in the faces and the pairs found; about 2 s a million triangles on one thread, less with
+// intersection_limit 0. Whether a mesh has an inside emb_mesh_has_inside says at once.
 emb_status emb_mesh_diagnose(const emb_mesh *mesh,
                              const emb_diagnosis_options *options,
                              const emb_run *run,
@@ -1406,11 +1430,12 @@ emb_status emb_sdf_options_init(emb_sdf_options *options, size_t size);
 
 // The signed distance to a mesh: exact, the same bits with every accelerator, pool and instruction set. The
 // sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they are right everywhere, and
-// of exact crossings elsewhere. `options` may be NULL. The mesh may be freed afterwards. On success *out_geom is
-// the caller's, to be freed with emb_geom_free.
+// of exact crossings elsewhere. The distance is that to the nearest face, whichever: where a mesh passes through itself
+// also to one within the body, though its kind is EMB_EXACT. `options` may be NULL. The mesh may be freed afterwards.
+// On success *out_geom is the caller's, to be freed with emb_geom_free.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (an open or inconsistent mesh,
-// with the counts; EMB_SIGN_NONE takes any), EMB_ERROR_UNSUPPORTED (a choice of a later version),
-// EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
+// of which emb_mesh_has_inside says 0, with the counts; EMB_SIGN_NONE takes any), EMB_ERROR_UNSUPPORTED (a choice of a
+// later version), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
 emb_status emb_geom_from_mesh(const emb_mesh *mesh,
                               const emb_sdf_options *options,
                               const emb_run *run,

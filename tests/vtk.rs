@@ -325,6 +325,12 @@ fn files_that_are_wrong_are_refused_with_the_place() {
         (grid.status(), grid.message()),
         (Status::Unsupported, "line 4: the dataset is STRUCTURED_POINTS, not POLYDATA")
     );
+    let cells = read(whole.replace("POLYDATA", "UNSTRUCTURED_GRID").as_bytes()).unwrap_err();
+    assert_eq!(
+        cells.message(),
+        "line 4: the dataset is UNSTRUCTURED_GRID, not POLYDATA; extract its surface first (vtkGeometryFilter, in \
+         ParaView Extract Surface)"
+    );
     let data = file("3.0", &[POINTS, OLD, "POINT_DATA 7\nSCALARS a int\n1 2 3 4 5 6 7\n"]);
     assert_eq!(refused(data.as_bytes()), "line 16: POINT_DATA: 7 items for 8");
     let new = file("5.1", &[POINTS, &NEW.replace("0 4 8 12", "0 4 3 12")]);

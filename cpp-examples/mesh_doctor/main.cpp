@@ -25,7 +25,7 @@ constexpr const char *usage =
     "Without a mesh, one with every fault is made, repaired and checked.\n";
 
 struct Request {
-    bool table = false, repair = false, join = false;
+    bool table = false, repair = false, join = false, of_repair = false;
     std::string write, make;
     embound::RepairOptions options;
     std::vector<std::string> files;
@@ -51,6 +51,7 @@ std::optional<Request> parse(int argc, char **argv) {
         } else if (word == "--make") {
             request.make = argv[k];
         } else if (word == "--weld" || word == "--fill") {
+            request.of_repair = true;
             double &value = word == "--weld" ? request.options.weld_tolerance : request.options.hole_length;
             value = std::strtod(argv[k], &end);
             if (end == argv[k] || *end != '\0') {
@@ -148,18 +149,26 @@ int run(const Request &request) {
     if (request.join) {
         meshes.push_back(embound::Mesh::read_files(request.files, embound::JoinTags::ByMesh));
     }
+    int status = 0;
     for (std::size_t k = 0; k < (request.join ? 1 : request.files.size()); ++k) {
-        embound::Mesh mesh = request.join ? meshes[0] : embound::Mesh::read(request.files[k]);
-        report(request.join ? "all together" : request.files[k], mesh, request.table, pool);
-        if (request.repair) {
-            mesh = mend(mesh, request.options, request.table);
-            report("repaired", mesh, request.table, pool);
-        }
-        if (!request.write.empty()) {
-            mesh.write(request.write);
+        // One file that cannot be read is told of, and the others are looked at.
+        try {
+            embound::Mesh mesh = request.join ? meshes[0] : embound::Mesh::read(request.files[k]);
+            report(request.join ? "all together" : request.files[k], mesh, request.table, pool);
+            if (request.repair) {
+                mesh = mend(mesh, request.options, request.table);
+                report("repaired", mesh, request.table, pool);
+            }
+            if (!request.write.empty()) {
+                mesh.write(request.write);
+            }
+        } catch (const embound::Error &error) {
+            std::fflush(stdout);
+            std::fprintf(stderr, "mesh_doctor: %s\n", error.what());
+            status = 1;
         }
     }
-    return 0;
+    return status;
 }
 
 } // namespace
@@ -168,6 +177,10 @@ int main(int argc, char **argv) {
     const std::optional<Request> request = parse(argc, argv);
     if (!request || (!request->write.empty() && request->files.size() != 1 && !request->join)) {
         std::fputs(usage, stderr);
+        return 2;
+    }
+    if (request->of_repair && !request->repair) {
+        std::fprintf(stderr, "mesh_doctor: --weld and --fill mean something with --repair alone\n%s", usage);
         return 2;
     }
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-// One mesh, placed many times: a hierarchy over copies that share one over triangles. nested_bvh [count [mesh]]
+// One mesh, placed many times: a hierarchy over copies that share one over triangles. nested_bvh [count] [mesh]
 #include "placements.hpp"
 
 #include "part.hpp"
@@ -29,9 +29,28 @@ constexpr std::size_t timed_points = 200000;
 constexpr std::size_t blocks_per_side = 40, nodes_per_side = 121;
 constexpr double bytes_per_copy = 2048.0; // the most that a placement may take
 
-embound::Mesh load(int argc, char **argv) {
-    if (argc > 2) {
-        return embound::Mesh::read(argv[2]);
+// nested_bvh [count] [mesh]: what is no number is the mesh.
+struct Arguments {
+    std::size_t count = 1000;
+    std::string mesh; // empty: the bracket
+};
+
+Arguments parse(int argc, char **argv) {
+    Arguments given;
+    const std::string first = argc > 1 ? argv[1] : "";
+    const bool counted = !first.empty() && first.find_first_not_of("0123456789") == std::string::npos;
+    if (counted || argc > 2) {
+        given.count = whole_number(first);
+        given.mesh = argc > 2 ? argv[2] : "";
+    } else {
+        given.mesh = first;
+    }
+    return given;
+}
+
+embound::Mesh load(const std::string &path) {
+    if (!path.empty()) {
+        return embound::Mesh::read(path);
     }
     const Part bracket = make_bracket();
     return embound::Mesh::from_triangles(bracket.xyz, bracket.indices);
@@ -105,12 +124,13 @@ void draw(const Geometry &all, const Grid &grid, const embound::Pool &pool) {
 }
 
 void nested_bvh(int argc, char **argv) {
-    const std::size_t count = argc > 1 ? whole_number(argv[1]) : 1000;
+    const Arguments given = parse(argc, argv);
+    const std::size_t count = given.count;
     require(count > 0 && count <= most_copies, "the count must be a number from 1 to a million");
     const embound::Pool pool;
     print_library(pool);
 
-    const embound::Mesh mesh = load(argc, argv);
+    const embound::Mesh mesh = load(given.mesh);
     Geometry body;
     const double body_time = seconds([&] { body = embound::from_mesh(mesh, {}, pool); });
     const embound::Properties one = body.properties();
@@ -143,7 +163,7 @@ void nested_bvh(int argc, char **argv) {
 
 int main(int argc, char **argv) {
     if (argc > 3 || (argc > 1 && argv[1][0] == '-')) {
-        std::fprintf(stderr, "usage: nested_bvh [count [mesh]]\n");
+        std::fprintf(stderr, "usage: nested_bvh [count] [mesh]\n");
         return 2;
     }
     return run_example("nested_bvh", nested_bvh, argc, argv);

@@ -19,7 +19,7 @@ enum class Fluid { Outside, Inside };
 
 /// What the magnitude of a value means.
 enum class Kind : std::int32_t {
-    Exact = EMB_EXACT,            ///< The distance to the surface.
+    Exact = EMB_EXACT,            ///< The distance to the surface, faces that lie within a body included.
     LowerBound = EMB_LOWER_BOUND, ///< Not above the distance to the surface.
     SignOnly = EMB_SIGN_ONLY      ///< Nothing: only the sign counts.
 };

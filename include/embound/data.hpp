@@ -65,7 +65,8 @@ inline std::string tag_name(const Mesh &mesh, std::int32_t tag) {
     });
 }
 
-/// The mesh with other tags, one for each input face, and names for some of them.
+/// The mesh with other tags, one for each input face, and names for some of them. tag_name tells the name of a tag that
+/// no face has, too; tags does not list such a tag.
 inline Mesh with_tags(const Mesh &mesh, Span<const std::int32_t> tags,
                       const std::vector<std::pair<std::int32_t, std::string>> &names = {}) {
     detail::require_size("tags", tags.size(), mesh.face_count());
@@ -131,13 +132,15 @@ inline std::vector<double> values(const Mesh &mesh, const Field &field) {
     return all;
 }
 
-/// The mesh with one more named field: `values` holds `components` numbers for each vertex as it stands or for
-/// each input face.
+/// The mesh with one more named field: `values` holds the same number of numbers for each vertex as it stands or for
+/// each input face. Vertices as they stand are those that welding left: for data of the vertices given, make the mesh
+/// with weld_tolerance -1, add the data, and weld with repair.
 inline Mesh with_field(const Mesh &mesh, On on, const std::string &name, Span<const double> values) {
     const std::size_t items = on == On::Faces ? mesh.face_count() : mesh.vertex_count();
     if (items == 0 || values.size() % items != 0) {
+        const std::string each = on == On::Faces ? " input faces" : " vertices, those left after welding (weld_tolerance -1 leaves all)";
         throw Error(EMB_ERROR_INVALID_ARGUMENT, "values: " + std::to_string(values.size()) + " are not the same number for each of " +
-                                                    std::to_string(items) + " items");
+                                                    std::to_string(items) + each);
     }
     return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) {
         return emb_mesh_with_field(mesh.get(), static_cast<std::int32_t>(on), name.c_str(), values.size() / items,
@@ -146,7 +149,9 @@ inline Mesh with_field(const Mesh &mesh, On on, const std::string &name, Span<co
 }
 
 /// Named data at the closest points that Geometry::closest found: `components` numbers a point, NaN where
-/// there is no face. Of `closest` only primitive, piece (empty: 0 throughout) and, for data of vertices,
+/// there is no face. A face is told by its number alone: at points of a union, `mesh` must be the one that the closest
+/// part was made of, else the values are those of another place, with no error. `closest.part` says which part it is,
+/// where the parts were labelled by part(). Of `closest` only primitive, piece (empty: 0 throughout) and, for data of vertices,
 /// barycentric are read.
 inline std::vector<double> interpolate(const Mesh &mesh, const Field &field, const Closest &closest, const Run &run = {}) {
     detail::require_field(mesh, field);

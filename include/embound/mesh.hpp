@@ -22,7 +22,8 @@ enum class Orient : std::int32_t {
 };
 
 /// How vertices and faces become a mesh: a point p of the input becomes
-/// shift + scale * rotation * p, in double, before welding.
+/// shift + scale * rotation * p, in double, before welding. Of meshes that stand, in join and transform, the
+/// defaults weld and turn nothing.
 struct MeshOptions {
     double scale = 1.0;                   ///< Uniform, > 0.
     Matrix rotation = identity;           ///< Row major.
@@ -134,7 +135,8 @@ public:
         });
     }
 
-    /// Several meshes as one, welded, placed and oriented as the options say.
+    /// Several meshes as one, placed as the options say. Each keeps its vertices and its orientation; a
+    /// weld_tolerance above 0 (1e-12: equal positions) welds them together and orients as `orient` says.
     static Mesh join(const std::vector<Mesh> &meshes, JoinTags tags = JoinTags::Renumber, const MeshOptions &options = {}) {
         std::vector<const emb_mesh *> parts;
         for (const Mesh &mesh : meshes) {
@@ -146,7 +148,8 @@ public:
         }));
     }
 
-    /// The same surface, placed, welded and oriented anew.
+    /// The same surface, scaled, rotated and shifted; Orient::Flip turns it over. Vertices and orientation stay, unless
+    /// asked for as in join. Data stay as they are: vectors are not rotated along.
     Mesh transform(const MeshOptions &options) const {
         const emb_mesh_options c = options.c();
         return Mesh(detail::created<emb_mesh>([&](emb_mesh **out) { return emb_mesh_transform(get(), &c, out); }));
@@ -177,7 +180,10 @@ public:
     std::size_t face_count() const noexcept { return emb_mesh_face_count(get()); }         ///< Numbers of input faces.
     std::size_t triangle_count() const noexcept { return emb_mesh_triangle_count(get()); } ///< Triangles of all faces.
 
-    /// The positions of all vertices.
+    /// Whether the mesh as it stands has an inside, so that from_mesh gives it a sign. At no cost.
+    bool has_inside() const noexcept { return emb_mesh_has_inside(get()) != 0; }
+
+    /// The positions of all vertices: those that welding left, in the order of those given; see emb_mesh_vertices.
     std::vector<Point> vertices() const {
         std::vector<Point> positions = detail::vector_of<Point>(vertex_count());
         check(emb_mesh_vertices(get(), 0, positions.size(), detail::flat(positions.data())));
@@ -191,7 +197,16 @@ public:
         return corners;
     }
 
-    /// Writes a file of the format its extension names.
+    /// The input face that each triangle is cut from, in the order of triangles().
+    std::vector<std::int64_t> triangle_faces() const {
+        std::vector<std::int64_t> faces = detail::vector_of<std::int64_t>(triangle_count());
+        check(emb_mesh_triangles(get(), 0, faces.size(), nullptr, faces.data()));
+        return faces;
+    }
+
+    /// Writes a file of the format its extension names: .stl, .ply, .obj, .vtk or .vtp. Vertices that repair split, and
+    /// an orientation that is kept, are undone where it is read with default options; see emb_mesh_write, also for
+    /// the names of data that a format refuses.
     void write(const std::string &path) const { check(emb_mesh_write(get(), path.c_str())); }
 
     /// What the mesh was like as read, before orientation: counts, volume, area, bounds.

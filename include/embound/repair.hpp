@@ -15,7 +15,7 @@ struct RepairOptions {
     std::int32_t flags = EMB_REPAIR_ALL;  ///< EMB_REPAIR_* flags.
     double weld_tolerance = 0.0;          ///< Of the diagonal; 0: equal positions.
     std::size_t hole_edges = 1000;        ///< Holes with more edges stay; at most 2,048.
-    double hole_length = 0.5;             ///< Longer rims of more than three edges stay; see C.
+    double hole_length = 0.5;             ///< Longer rims stay, as a part of their component's diagonal; see C.
     std::optional<std::int32_t> fill_tag; ///< The tag of new triangles; none: that of most faces round the hole.
 
     /// As the C functions take them.
@@ -38,7 +38,9 @@ struct Repaired {
     emb_repair_result result; ///< How often each step did something.
 };
 
-/// Repairs what the options ask for, and nothing else; `mesh` stays as it is.
+/// Repairs what the options ask for, and nothing else; `mesh` stays as it is. Triangles that fill holes have as data of
+/// faces NaN, or 0 where its type is an integer. Vertices that were split are welded again where the mesh is written to a
+/// file and read with the default weld_tolerance; Mesh::transform and Mesh::join leave them apart.
 inline Repaired repair(const Mesh &mesh, const RepairOptions &options = {}, const Run &run = {}) {
     const emb_repair_options c = options.c();
     emb_repair_result result{};

@@ -55,9 +55,12 @@ pub unsafe extern "C" fn emb_mesh_read_files(
     })
 }
 
-/// Several meshes as one, welded, placed and oriented as `options` say (NULL: defaults). `tags` as in
-/// emb_mesh_read_files. Face f of mesh k has the number f plus emb_mesh_face_count of those before it. Nothing is
-/// intersected: bodies that pass through each other still do (emb_geom_union is for those). Cost: near linear.
+/// Several meshes as one, placed as `options` say (NULL: defaults). `tags` as in emb_mesh_read_files. Face f of mesh k
+/// has the number f plus emb_mesh_face_count of those before it. Unlike when reading, the defaults weld and turn nothing:
+/// each mesh keeps its vertices (those that EMB_REPAIR_SPLIT made, too) and its orientation. An options->weld_tolerance
+/// above 0 welds all of them together, as parts of one surface want (1e-12: equal positions), and orients as
+/// options->orient says; without it EMB_ORIENT_AUTO turns nothing. Nothing is intersected: bodies that pass through each
+/// other still do (emb_geom_union is for those). Cost: near linear.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (count 0, tags, options, data of one name that differ in
 /// components), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
@@ -83,8 +86,9 @@ pub unsafe extern "C" fn emb_mesh_join(
     })
 }
 
-/// The same surface, scaled, rotated, shifted, welded and oriented anew as `options` say: EMB_ORIENT_FLIP turns it
-/// over. Face numbers, tags and data stay. Cost: near linear.
+/// The same surface, scaled, rotated and shifted as `options` say; EMB_ORIENT_FLIP turns it over. Face numbers, tags and
+/// data stay, vectors among the data as they are: they are not rotated along. As in emb_mesh_join the defaults weld and
+/// turn nothing. (Reflections are refused, so what was outward stays so.) Cost: near linear.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (options), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_transform(

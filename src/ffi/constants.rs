@@ -147,7 +147,8 @@ pub const EMB_ACCELERATOR_NONE: i32 = 1;
 /// A hierarchy of small memory. Not in this version: EMB_ERROR_UNSUPPORTED.
 pub const EMB_ACCELERATOR_COMPACT: i32 = 2;
 
-/// The value is the signed distance to the surface.
+/// The value is the signed distance to the surface. Of a mesh that passes through itself, all of its faces count: inside,
+/// the value may be the distance to a face that lies within the body.
 pub const EMB_EXACT: i32 = 0;
 /// The magnitude of the value is not above the distance to the surface.
 pub const EMB_LOWER_BOUND: i32 = 1;

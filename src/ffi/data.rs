@@ -93,8 +93,9 @@ pub unsafe extern "C" fn emb_mesh_tag_name(
 }
 
 /// The mesh with other tags: one number for each input face (emb_mesh_face_count of them), and `name_count` names, each
-/// for the tag at the same place of `named_tags`. Tags, names and no others: those of before are gone. A field of ids
-/// becomes tags by emb_mesh_field_values and this. Cost: linear; the mesh is copied.
+/// for the tag at the same place of `named_tags`. Tags, names and no others: those of before are gone. A tag that no face
+/// has may have a name, which emb_mesh_tag_name tells; emb_mesh_tags does not list it. A field of ids becomes tags by
+/// emb_mesh_field_values and this. Cost: linear; the mesh is copied.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a name that is empty, not UTF-8, not one line or has
 /// white space around it; a tag named twice), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
@@ -184,9 +185,12 @@ pub unsafe extern "C" fn emb_mesh_field_values(
 }
 
 /// The mesh with one more named field, or another in the place of one of the same name: `components` numbers for each
-/// vertex as it stands (emb_mesh_vertex_count of them) or for each input face (emb_mesh_face_count). Cost: linear; the
-/// mesh is copied. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, components 0, a name that is empty,
-/// not UTF-8, not one line or has white space around it), EMB_ERROR_MEMORY.
+/// vertex as it stands (emb_mesh_vertex_count of them) or for each input face (emb_mesh_face_count). Vertices as they
+/// stand are those that welding left, not those given: to give data for the latter, make the mesh with weld_tolerance -1
+/// (emb_mesh_vertices says which vertex is which), add the data, and let emb_mesh_repair weld with EMB_REPAIR_WELD, which
+/// keeps data that differ. Cost: linear; the mesh is copied.
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (on, components 0, a name that is empty, not UTF-8, not
+/// one line or has white space around it), EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_with_field(
     mesh: *const emb_mesh,
@@ -216,8 +220,9 @@ pub unsafe extern "C" fn emb_mesh_with_field(
 /// The named data number k at `count` points of the surface, as emb_geom_closest names them: primitive[i] and piece[i]
 /// (NULL: 0, which is right where all faces are triangles), and the barycentric weights barycentric[c][i * stride] of the
 /// three corners. Data of vertices are interpolated linearly, data of faces are the face's. out_values takes `components`
-/// numbers a point; NaN where primitive is -1 or no face of the mesh. In a composite geometry the mesh must be the one
-/// that the closest part was made of. Any thread.
+/// numbers a point; NaN where primitive is -1 or no face of the mesh. A number of a face says nothing of its mesh: in a
+/// composite geometry `mesh` must be the one that the closest part was made of, else the values are those of another
+/// place, with no error. Ask each mesh for the points that are its own, by the parts of emb_geom_part. Any thread.
 /// Errors: EMB_ERROR_NULL_ARGUMENT (barycentric may be NULL for EMB_ON_FACES), EMB_ERROR_INVALID_ARGUMENT (on, k, stride
 /// 0), EMB_ERROR_CANCELLED. Cost: linear.
 /// cbindgen:ptrs-as-arrays=[[barycentric;3]]
@@ -286,7 +291,11 @@ fn fields(mesh: &Mesh, on: i32) -> Result<&[Field]> {
 
 fn field(mesh: &Mesh, on: i32, k: usize) -> Result<&Field> {
     let fields = fields(mesh, on)?;
-    fields.get(k).ok_or_else(|| Error::invalid(format!("k: {k} is not below {}, the count of fields", fields.len())))
+    let place = if on == EMB_ON_FACES { "faces" } else { "vertices" };
+    fields.get(k).ok_or_else(|| match fields.len() {
+        0 => Error::invalid(format!("k: {k}: the {place} of this mesh have no named data")),
+        n => Error::invalid(format!("k: {k} is not below {n}, the count of named data of the {place}")),
+    })
 }
 
 /// A name: one line of UTF-8.

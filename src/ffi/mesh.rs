@@ -39,9 +39,10 @@ pub struct emb_mesh_options {
     /// Shift, after scale and rotation; 0 by default.
     pub shift: [f64; 3],
     /// Vertices nearer than this times the diagonal of the mesh become one; 0, the default: those with
-    /// equal positions; -1: none.
+    /// equal positions; -1: none. Of meshes that stand, in emb_mesh_join and emb_mesh_transform, 0 welds none either.
     pub weld_tolerance: f64,
-    /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE.
+    /// EMB_ORIENT_AUTO, the default, EMB_ORIENT_KEEP, EMB_ORIENT_FLIP or EMB_ORIENT_ALTERNATE. In emb_mesh_join and
+    /// emb_mesh_transform AUTO turns nothing unless weld_tolerance is above 0.
     pub orient: i32,
     /// EMB_FORMAT_DETECT, the default, or the format the bytes must be in; used when reading.
     pub format: i32,
@@ -367,9 +368,13 @@ fn check_offsets(offsets: &[usize]) -> Result<()> {
 /// ".stl" (binary: triangles in float), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
 /// All but STL hold polygons, coordinates to the bit, tags and their names; PLY, VTK and VTP all named data, OBJ of
 /// them the vertices' red, green and blue alone. Faces are numbered anew where the mesh lost some. The file appears
-/// under its name when it is complete. Any thread. Cost: linear; the file's bytes are in memory meanwhile.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; a coordinate beyond the float of STL; face data of
-/// the name that the file has for tags), EMB_ERROR_IO, EMB_ERROR_MEMORY.
+/// under its name when it is complete. Vertices that stand apart at one position, as EMB_REPAIR_SPLIT leaves them, are
+/// written apart but for STL, and are one again where the file is read with the default weld_tolerance: with -1 they stay
+/// apart. In the same way an orientation kept or flipped needs EMB_ORIENT_KEEP when read. Any thread. Cost: linear; the
+/// file's bytes are in memory meanwhile. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_UNSUPPORTED (extension; a coordinate
+/// beyond the float of STL; data of a name that the format has for something else: in .ply, in any case, x, y and z of
+/// vertices and vertex_indices and tag of faces; in .vtk and .vtp tag of faces, where the mesh has tags, too, or the data
+/// would be read as tags), EMB_ERROR_IO, EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_write(mesh: *const emb_mesh, path: *const c_char) -> emb_status {
     // SAFETY: pointers as the header asks.

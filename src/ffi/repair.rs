@@ -129,6 +129,9 @@ pub unsafe extern "C" fn emb_repair_options_init(options: *mut emb_repair_option
 /// - EMB_REPAIR_ORIENT: faces are turned over until neighbours agree, as the larger part of the area has it; closed
 ///   shells face outward, those directly inside them inward, and so on in turn. Open shells only become consistent.
 ///
+/// What reads positions welds split vertices again: emb_mesh_read of a file that the mesh was written to (weld_tolerance
+/// -1 keeps them, but not in STL), and emb_mesh_join and emb_mesh_transform where a weld_tolerance above 0 asks for it.
+///
 /// Faces keep their numbers, tags and data, so emb_geom_closest still names faces of the input; triangles that fill holes
 /// take numbers from emb_mesh_face_count(mesh) on, data of vertices from the rim, and as data of faces NaN, or 0 where its
 /// type is an integer. Where nothing is to be done, the mesh has the same bits. *result, whose struct_size the caller has

@@ -78,6 +78,14 @@ pub unsafe extern "C" fn emb_mesh_triangle_count(mesh: *const emb_mesh) -> usize
     unsafe { ask(mesh, 0, |m| Some(m.triangle_count())) }
 }
 
+/// 1: the mesh as it stands has an inside, so that emb_geom_from_mesh gives it a sign; each of its edges has as many
+/// faces one way as the other. 0: it is open or disagrees with itself, and for NULL. O(1): known since the mesh was made.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_mesh_has_inside(mesh: *const emb_mesh) -> i32 {
+    // SAFETY: a handle or NULL, as the header asks.
+    unsafe { ask(mesh, 0, |m| Some(i32::from(m.surface().unbalanced_edges == 0))) }
+}
+
 /// Half-edges: corners of all faces as they stand; 0 for NULL. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_half_edge_count(mesh: *const emb_mesh) -> usize {
@@ -86,7 +94,8 @@ pub unsafe extern "C" fn emb_mesh_half_edge_count(mesh: *const emb_mesh) -> usiz
 }
 
 /// Copies the positions of the vertices first .. first + count - 1 to out_xyz (3 * count numbers). Vertices are
-/// ordered by the lowest input vertex that each was welded from.
+/// ordered by the lowest input vertex that each was welded from; those that no face uses are left out. So with
+/// emb_mesh_options.weld_tolerance -1 and every vertex used, vertex v is vertex v of the arrays given.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last vertex). Any thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_vertices(

@@ -25,19 +25,25 @@ pub(super) fn format(bytes: &[u8]) -> Result<Format> {
     })
 }
 
-/// After comments and lines that begin with other words of OBJ comes a vertex.
+/// After comments and lines that begin with other words, which OBJ's reader passes over, comes a vertex; but what begins
+/// as STL is none.
 fn is_obj(text: &[u8]) -> bool {
-    const OTHERS: [&[u8]; 13] =
-        [b"vt", b"vn", b"vp", b"f", b"fo", b"l", b"p", b"g", b"o", b"s", b"mg", b"usemtl", b"mtllib"];
+    const OF_STL: [&[u8]; 2] = [b"solid", b"facet"];
     let mut words = Words::new(text);
     loop {
         let word = words.next();
         if word.eq_ignore_ascii_case(b"v") {
             return words.coordinate().is_ok();
         }
-        if !word.starts_with(b"#") && !OTHERS.iter().any(|k| word.eq_ignore_ascii_case(k)) {
+        let is_statement = word.first().is_some_and(|b| *b == b'#' || b.is_ascii_alphabetic());
+        if !is_statement || OF_STL.iter().any(|k| word.eq_ignore_ascii_case(k)) {
             return false;
         }
-        words.rest_of_line();
+        if word[0] == b'#' {
+            words.rest_of_line();
+        } else {
+            // A backslash at its end joins the next line to a statement.
+            while !words.next_on_line().is_empty() {}
+        }
     }
 }

@@ -128,7 +128,9 @@ fn parse(bytes: &[u8], format: Format) -> Result<Input> {
 ///
 /// # Errors
 /// [`Status::Unsupported`](crate::Status) for another extension, for a coordinate beyond the range of the f32
-/// of STL, and for face data of the name that the file has for tags; [`Status::Io`](crate::Status) with the path
+/// of STL, and for data of a name that the format has for something else: in PLY x, y and z of vertices and
+/// vertex_indices and tag of faces, in any case; in VTK and VTP tag of faces, where the mesh has tags or the data
+/// would be read as such; [`Status::Io`](crate::Status) with the path
 /// and the system's reason; [`Status::Memory`](crate::Status).
 pub fn write(mesh: &Mesh, path: &Path) -> Result<()> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
@@ -139,7 +141,10 @@ pub fn write(mesh: &Mesh, path: &Path) -> Result<()> {
         Some("vtk") => vtk::write(mesh),
         Some("vtp") => vtp::write(mesh),
         _ => {
-            let what = format!("the extension \"{}\" is of no format that can be written", extension.display());
+            let what = format!(
+                "the extension \"{}\" is of no format that can be written: .stl, .ply, .obj, .vtk, .vtp",
+                extension.display()
+            );
             return Err(named(path, &Error::unsupported(what)));
         }
     };

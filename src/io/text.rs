@@ -48,3 +48,12 @@ pub(super) fn attribute(text: &str) -> String {
     }
     out
 }
+
+/// What to do with a VTK data set of another kind than a surface, to follow the refusal.
+pub(super) fn way_out(kind: &[u8]) -> &'static str {
+    let cells = [&b"UNSTRUCTURED_GRID"[..], b"UnstructuredGrid"];
+    match cells.iter().any(|k| kind.eq_ignore_ascii_case(k)) {
+        true => "; extract its surface first (vtkGeometryFilter, in ParaView Extract Surface)",
+        false => "",
+    }
+}

@@ -32,10 +32,22 @@ fn as_it_stands() -> MeshOptions {
     MeshOptions { weld_tolerance: -1.0, orient: Orient::Keep, ..MeshOptions::default() }
 }
 
+/// What the options mean for meshes that stand: with no tolerance above 0 nothing is welded, and then
+/// [`Orient::Auto`] turns nothing. Vertices that repair split, and faces that were kept as given, stay so.
+fn of_standing(options: &MeshOptions) -> MeshOptions {
+    if options.weld_tolerance > 0.0 {
+        return options.clone();
+    }
+    let orient = if options.orient == Orient::Auto { Orient::Keep } else { options.orient };
+    MeshOptions { weld_tolerance: -1.0, orient, ..options.clone() }
+}
+
 impl Mesh {
-    /// Several meshes as one: welded, placed and oriented as the options say. Face f of mesh k has the number
-    /// f plus the [`Mesh::face_count`]s before it. Fields of one name and place become one; where a mesh has
-    /// no such field its values are NaN.
+    /// Several meshes as one, placed as the options say. Each keeps its vertices and its orientation, unless
+    /// [`MeshOptions::weld_tolerance`] is above 0, which welds all of them together (1e-12 where positions are
+    /// equal) and orients as [`MeshOptions::orient`] says; without it [`Orient::Auto`] turns nothing, the others
+    /// do what they say. Face f of mesh k has the number f plus the [`Mesh::face_count`]s before it. Fields of
+    /// one name and place become one; where a mesh has no such field its values are NaN.
     ///
     /// # Errors
     /// [`Status::InvalidArgument`]: no mesh; options out of range; a field of one name that has different
@@ -49,16 +61,17 @@ impl Mesh {
         for mesh in meshes {
             inputs.push(mesh.as_input()?);
         }
-        build(join(inputs, tags)?, options)
+        build(join(inputs, tags)?, &of_standing(options))
     }
 
-    /// The same surface, placed, welded and oriented anew: with [`Orient::Flip`] turned over.
+    /// The same surface, placed; vertices and orientation stay as in [`Mesh::join`], with [`Orient::Flip`] all
+    /// faces are turned over. Data stay as they are: those that are vectors are not turned along.
     ///
     /// # Errors
     /// Those of [`Mesh::join`].
     pub fn rebuilt(&self, options: &MeshOptions) -> Result<Mesh> {
         options.check()?;
-        build(self.as_input()?, options)
+        build(self.as_input()?, &of_standing(options))
     }
 
     /// The mesh in parts that keep vertices, orientation, tags, their names, and data. Vertices and faces are

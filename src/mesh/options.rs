@@ -31,7 +31,8 @@ pub struct MeshOptions {
     /// Shift, after scale and rotation; finite.
     pub shift: [f64; 3],
     /// Vertices nearer than this times the diagonal become one, and so do chains of them; 0: those with
-    /// equal positions (-0.0 equals 0.0); -1: none. Otherwise between 1e-12 and 0.5.
+    /// equal positions (-0.0 equals 0.0); -1: none. Otherwise between 1e-12 and 0.5. Of meshes that stand
+    /// ([`super::Mesh::join`]) 0 welds none either.
     pub weld_tolerance: f64,
     /// Orientation.
     pub orient: Orient,

@@ -75,6 +75,16 @@ static emb_mesh *joined(size_t count, const emb_mesh *const *meshes, int32_t tag
   return mesh;
 }
 
+/* The same, with vertices of different meshes that have one position made one. */
+static emb_mesh *welded(size_t count, const emb_mesh *const *meshes, int32_t tags) {
+  emb_mesh *mesh = NULL;
+  emb_mesh_options options;
+  CHECK_OK(emb_mesh_options_init(&options, sizeof options));
+  options.weld_tolerance = 1e-12;
+  CHECK_OK(emb_mesh_join(count, meshes, tags, &options, &mesh));
+  return mesh;
+}
+
 static emb_mesh_report report_of(const emb_mesh *mesh) {
   emb_mesh_report report;
   report.struct_size = sizeof report;
@@ -124,7 +134,10 @@ static void what_is_split_and_joined_is_the_same_again(void) {
   }
   CHECK(d.of_faces[0] == -305.0 && d.of_faces[1] == -5.0); /* the shared ones, in their order */
   again = joined(3, (const emb_mesh *const *)parts, EMB_JOIN_BY_MESH);
-  CHECK(report_of(again).closed == 1 && report_of(again).components == 2);
+  CHECK(report_of(again).closed == 0 && emb_mesh_has_inside(again) == 0); /* each part as it was */
+  emb_mesh_free(again);
+  again = welded(3, (const emb_mesh *const *)parts, EMB_JOIN_BY_MESH);
+  CHECK(report_of(again).closed == 1 && report_of(again).components == 2 && emb_mesh_has_inside(again) == 1);
   describe(again, &d);
   CHECK(d.tags[0] == 0 && d.tags[5] == 1 && d.tags[11] == 2 && strcmp(d.names[11], "shared") == 0);
   emb_mesh_free(again);
@@ -170,6 +183,9 @@ static void data_that_differ_at_a_common_vertex_stay_with_their_faces(void) {
   int32_t piece;
   cubes[0] = cube_with_data(0, 8, "a"), cubes[1] = cube_with_data(1, 9, "b");
   whole = joined(2, (const emb_mesh *const *)cubes, EMB_JOIN_KEEP);
+  CHECK(emb_mesh_vertex_count(whole) == 16 && report_of(whole).components == 2);
+  emb_mesh_free(whole);
+  whole = welded(2, (const emb_mesh *const *)cubes, EMB_JOIN_KEEP);
   CHECK(emb_mesh_vertex_count(whole) == 15 && report_of(whole).components == 2);
   CHECK_OK(emb_mesh_field_get(whole, EMB_ON_VERTICES, 0, &field, 0, NULL, &count));
   CHECK(field.count == 16);
@@ -223,7 +239,11 @@ static void a_mesh_is_moved_and_turned_over_with_its_data(void) {
   CHECK_OK(emb_mesh_transform(flipped, &options, &back));
   CHECK(same(back, cube));
   emb_mesh_free(back);
-  CHECK_OK(emb_mesh_transform(flipped, NULL, &back)); /* outward again, by default */
+  CHECK_OK(emb_mesh_transform(flipped, NULL, &back)); /* inward still: the defaults turn nothing */
+  CHECK(same(back, flipped));
+  emb_mesh_free(back);
+  options.orient = EMB_ORIENT_ALTERNATE;
+  CHECK_OK(emb_mesh_transform(flipped, &options, &back));
   CHECK(same(back, cube));
   emb_geom_free(g);
   emb_mesh_free(cube);

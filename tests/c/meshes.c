@@ -213,7 +213,13 @@ static void nothing_is_welded_where_the_tolerance_is_minus_one(void) {
   CHECK(half_edge_between(apart, 1, 2) == 1 && emb_mesh_half_edge_twin(apart, 1) == EMB_NO_INDEX);
   CHECK_OK(emb_mesh_transform(apart, &options, &again));
   CHECK(emb_mesh_vertex_count(again) == 6);
-  CHECK_OK(emb_mesh_transform(apart, NULL, &together));
+  emb_mesh_free(again);
+  again = NULL;
+  CHECK_OK(emb_mesh_transform(apart, NULL, &again)); /* nor by the defaults: the mesh stands */
+  CHECK(emb_mesh_vertex_count(again) == 6);
+  options.weld_tolerance = 1e-12;
+  CHECK_OK(emb_mesh_transform(apart, &options, &together));
+  options.weld_tolerance = -1.0;
   CHECK_OK(emb_mesh_report_get(together, &report));
   CHECK(report.vertices == 4 && report.components == 1 && report.boundary_edges == 4);
   CHECK(emb_mesh_half_edge_twin(together, 1) == 5);

@@ -165,6 +165,7 @@ TEST(errors_of_data_are_exceptions) {
     const auto refused = [](auto &&work, const char *word) { return check::status_of(work, word) == EMB_ERROR_INVALID_ARGUMENT; };
     CHECK(refused([&] { embound::field(mesh, embound::On::Faces, "linear"); }, "\"linear\""));
     CHECK(refused([&] { embound::with_field(mesh, embound::On::Faces, "a", std::vector<double>(7)); }, "values: 7"));
+    CHECK(refused([&] { embound::with_field(mesh, embound::On::Vertices, "a", std::vector<double>(36)); }, "8 vertices, those left after welding"));
     CHECK(refused([&] { embound::with_field(mesh, embound::On::Faces, "", std::vector<double>(6)); }, "name: \"\""));
     CHECK(refused([&] { embound::with_field(mesh, embound::On::Faces, "a", {}); }, "components: 0"));
     CHECK(refused([&] { embound::interpolate(cube(), linear, closest); }, "k: 0"));

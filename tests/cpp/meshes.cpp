@@ -95,6 +95,18 @@ TEST(a_mesh_survives_a_file) {
               0) == 17);
 }
 
+TEST(triangles_know_their_faces_and_a_mesh_whether_it_has_an_inside) {
+    const std::vector<std::size_t> offsets{0, 4, 8, 12, 16, 20, 24};
+    const embound::Mesh cube = embound::Mesh::from_polygons(corners, offsets, squares);
+    CHECK((cube.triangle_faces() == std::vector<std::int64_t>{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}));
+    CHECK(cube.has_inside());
+    const std::vector<std::uint32_t> open(triangles.begin() + 6, triangles.end());
+    const embound::Mesh lidless = embound::Mesh::from_triangles(corners, open);
+    embound::RepairOptions all;
+    all.hole_length = 2.4; // a rim of 4 over a diagonal of 1.73
+    CHECK(!lidless.has_inside() && !embound::repair(lidless).mesh.has_inside() && embound::repair(lidless, all).mesh.has_inside());
+}
+
 TEST(an_open_mesh_has_no_sign_but_a_distance) {
     const std::vector<std::uint32_t> open(triangles.begin(), triangles.end() - 3);
     const embound::Mesh mesh = embound::Mesh::from_triangles(corners, open);

@@ -15,7 +15,7 @@ mod twins;
 use common::random::Random;
 use common::{Soup, bodies};
 use embound::math::Vec3;
-use embound::mesh::{Diagnosis, DiagnosisOptions, Mesh};
+use embound::mesh::{Diagnosis, DiagnosisOptions, Mesh, MeshOptions, RepairOptions};
 use embound::parallel::{Pool, Run};
 use embound::query::diagnose;
 

@@ -21,7 +21,8 @@ signed volume 1
 closed: yes
 consistent: yes
 none found: non-manifold edges, non-manifold vertices, faces that lost corners in welding, faces of zero area, \
-duplicate faces, slivers, warped faces, faces off a plane, intersections
+duplicate faces, slivers, warped faces, intersections
+not looked for: faces off a plane
 to do: nothing: closed, consistent, outward, fit for a signed distance as it is
 ";
     assert_eq!(text(&bodies::unit_cube()), expected);
@@ -59,7 +60,7 @@ fn the_last_line_says_what_to_do() {
         ),
         (
             bodies::overlapping_spheres(1),
-            "to do: faces pass through each other: EMB_SIGN_AUTO takes the sign from crossings, as EMB_SIGN_RAY does",
+            "to do: faces touch or pass through each other: EMB_SIGN_AUTO takes the sign from crossings, as EMB_SIGN_RAY does",
         ),
         (
             bodies::cubes_sharing_an_edge(),
@@ -102,4 +103,54 @@ fn long_lists_are_cut() {
     let none = DiagnosisOptions { intersection_limit: 0, ..DiagnosisOptions::default() };
     let told = diagnosis_with(&bodies::unit_cube().mesh(), &none).text();
     assert!(told.contains("pairs of faces that intersect: not looked for"), "{told}");
+    assert!(told.contains("to do: nothing, but for intersections, not looked for: closed"), "{told}");
+    let all = DiagnosisOptions { off_plane_ratio: 1e-6, sliver_ratio: 0.0, ..DiagnosisOptions::default() };
+    let told = diagnosis_with(&bodies::unit_cube().mesh(), &all).text();
+    assert!(told.contains("warped faces, faces off a plane, intersections\nnot looked for: slivers\n"), "{told}");
+}
+
+#[test]
+fn a_rim_beyond_the_limits_of_repair_is_told_with_what_fills_it() {
+    // One side of a cube is away: a rim of 4 edges over a diagonal of 3^(1/2).
+    let open = bodies::unit_cube().without(|t| t < 2);
+    assert_eq!(
+        last_line(&open),
+        "to do: 1 hole of 4 edges: repair with EMB_REPAIR_HOLES and hole_length 2.31 (1 rim is longer than the 0.5 \
+         component diagonals of the default; if not meant open) or ask for the unsigned distance (EMB_SIGN_NONE)"
+    );
+    let filled =
+        |hole_length| open.mesh().repaired(&RepairOptions { hole_length, ..RepairOptions::default() }).unwrap();
+    assert_eq!((filled(2.31).1.holes_filled, filled(2.3).1.holes_filled), (1, 0));
+}
+
+#[test]
+fn boundaries_that_nearly_coincide_are_told_to_be_welded() {
+    let sphere = bodies::icosphere(1);
+    let mut noisy = Soup::default();
+    for (k, t) in sphere.triangles.iter().enumerate() {
+        let apart = t.map(|v| sphere.vertices[v as usize]);
+        let noise = 2e-7 * ((k * 37 % 80) as f64 / 80.0 - 0.5);
+        let one = Soup { vertices: apart.to_vec(), triangles: vec![[0, 1, 2]] };
+        noisy = noisy.and(&one.map(|p| [p[0] + noise, p[1] - noise, p[2]]));
+    }
+    assert_eq!(
+        last_line(&noisy),
+        "to do: 240 of 240 boundary edges nearly coincide: weld with weld_tolerance 1e-7, at reading or with \
+         EMB_REPAIR_WELD, before holes are filled"
+    );
+    let near = MeshOptions { weld_tolerance: 1e-7, ..MeshOptions::default() };
+    assert!(noisy.mesh_with(&near).report().closed);
+}
+
+#[test]
+fn a_shell_within_another_that_faces_outward_is_told() {
+    let nested = bodies::icosphere(1).and(&bodies::icosphere(1).scaled(0.5));
+    let advice = "to do: 1 closed component within another faces outward, too, and is no cavity: EMB_REPAIR_ORIENT or \
+                  EMB_ORIENT_ALTERNATE makes it one";
+    assert_eq!(last_line(&nested), advice);
+    let hollow = bodies::icosphere(1).and(&bodies::icosphere(1).scaled(0.5).flipped());
+    let beside = bodies::icosphere(1).and(&bodies::icosphere(1).translated([5.0, 0.0, 0.0]));
+    for soup in [hollow, beside] {
+        assert!(last_line(&soup).starts_with("to do: nothing"), "{}", last_line(&soup));
+    }
 }

@@ -3,7 +3,7 @@
 
 use super::*;
 use common::{Described, described};
-use embound::mesh::{Field, FieldType, JoinTags, SplitBy};
+use embound::mesh::{Field, FieldType, JoinTags, RepairOptions, SplitBy};
 
 /// Two spheres and a cube, tagged -3 (ball), 7 and 12, with data whose values say where they belong.
 fn scene() -> Mesh {
@@ -125,4 +125,23 @@ fn numbers_of_faces_stay_where_welding_collapsed_some() {
     let numbers: Vec<u32> = joined.triangles().iter().map(|t| t.face).collect();
     let once = (0..22).filter(|f| ![3, 21].contains(f));
     assert_eq!(numbers, once.clone().chain(once.map(|f| f + 22)).collect::<Vec<u32>>());
+}
+
+#[test]
+fn what_stands_keeps_its_vertices_and_its_orientation() {
+    // Two cubes that share an edge, parted by repair, the second turned inward by the caller.
+    let repair = RepairOptions { split: true, ..RepairOptions::NOTHING };
+    let (apart, done) = bodies::cubes_sharing_an_edge().mesh().repaired(&repair).unwrap();
+    assert!(done.vertices_split > 0 && apart.surface().nonmanifold_edges == 0);
+    let inward = bodies::unit_cube().flipped().translated([5.0, 0.0, 0.0]).mesh_kept();
+    let moved = apart.rebuilt(&options(|o| (o.scale, o.shift) = (2.0, [0.0, 1.0, 0.0]))).unwrap();
+    assert_eq!((moved.vertices().len(), moved.surface().nonmanifold_edges), (apart.vertices().len(), 0));
+    assert!(inward.rebuilt(&MeshOptions::default()).unwrap().surface().volume < 0.0);
+    let joined = Mesh::join(&[&apart, &inward], JoinTags::Keep, &MeshOptions::default()).unwrap();
+    assert_eq!(joined.vertices().len(), apart.vertices().len() + 8);
+    assert!(close(joined.surface().volume, apart.surface().volume - 1.0));
+    // Asked to weld, it welds, and orients with it.
+    let welded = Mesh::join(&[&apart, &inward], JoinTags::Keep, &options(|o| o.weld_tolerance = 1e-12)).unwrap();
+    assert_eq!(welded.surface().nonmanifold_edges, 1);
+    assert!(close(welded.surface().volume, apart.surface().volume + 1.0));
 }

@@ -131,9 +131,12 @@ fn colours_that_differ_where_positions_are_equal_are_a_seam() {
 
 #[test]
 fn the_format_is_found_by_content() {
-    for text in
-        [obj_files::rich(), obj_files::plain(&bodies::icosphere(0)), "# a\n\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3".into()]
-    {
+    for text in [
+        obj_files::rich(),
+        obj_files::plain(&bodies::icosphere(0)),
+        "# a\n\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3".into(),
+        "usemap x\ncurv 0 1 \\\n 1 2 3\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3".into(),
+    ] {
         let found = io::read_memory(text.as_bytes(), Format::Detect, &MeshOptions::default()).unwrap();
         assert!(found.triangle_count() > 0);
     }

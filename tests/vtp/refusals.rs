@@ -20,6 +20,10 @@ fn other_data_sets_and_compressors_are_unsupported() {
     let plain = text(&triangle());
     let with = |from: &str, to: &str| refused_with(plain.replace(from, to).as_bytes(), Status::Unsupported);
     assert_eq!(with("\"PolyData\"", "\"ImageData\""), "offset 22: <VTKFile>: type: \"ImageData\" is not PolyData");
+    assert!(
+        with("\"PolyData\"", "\"UnstructuredGrid\"")
+            .ends_with("is not PolyData; extract its surface first (vtkGeometryFilter, in ParaView Extract Surface)")
+    );
     assert_eq!(with("type=\"PolyData\"", ""), "offset 22: <VTKFile>: type: \"\" is not PolyData");
     for name in ["vtkLZ4DataCompressor", "vtkLZMADataCompressor"] {
         let wanted = format!("offset 22: <VTKFile>: compressor: {name} is not zlib");

@@ -6,6 +6,7 @@ use super::data::Data;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::io::number::Number;
 use crate::io::proportion::Demand;
+use crate::io::text::way_out;
 use crate::io::vtp::cells::Cells;
 use crate::math::Vec3;
 use crate::mesh::{Faces, Input, LARGEST_COORDINATE};
@@ -89,8 +90,11 @@ impl<'a> File<'a> {
         }
         let kind = cursor.word();
         if !kind.eq_ignore_ascii_case(b"POLYDATA") {
-            let shown = String::from_utf8_lossy(kind);
-            return Err(Error::unsupported(format!("{}: the dataset is {shown:.40}, not POLYDATA", cursor.place())));
+            let (shown, way_out) = (String::from_utf8_lossy(kind), way_out(kind));
+            return Err(Error::unsupported(format!(
+                "{}: the dataset is {shown:.40}, not POLYDATA{way_out}",
+                cursor.place()
+            )));
         }
         cursor.binary = binary;
         Ok(File {

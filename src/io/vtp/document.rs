@@ -5,6 +5,7 @@ use super::array::Array;
 use super::blocks::Encoding;
 use super::xml::{Markup, Tag, Xml, shortened, wrong};
 use crate::error::{Error, Result};
+use crate::io::text::way_out;
 use std::cell::Cell;
 
 /// Elements do not nest deeper than this.
@@ -82,7 +83,7 @@ impl<'a> Document<'a> {
         let kind = root.attribute("type")?.unwrap_or_default();
         if kind != "PolyData" {
             let what = format!("offset {}: <VTKFile>: type: \"{}\" is not PolyData", root.at, shortened(&kind));
-            return Err(Error::unsupported(what));
+            return Err(Error::unsupported(what + way_out(kind.as_bytes())));
         }
         let (pieces, arrays) = (Vec::new(), Vec::new());
         let mut document = Document {

@@ -10,6 +10,7 @@ mod examples;
 mod faces;
 mod lists;
 mod loops;
+mod nearly;
 mod text;
 mod vertices;
 
@@ -114,6 +115,12 @@ pub struct Diagnosis {
     pub turned_faces: usize,
     /// The topology of the surface as it stands.
     pub surface: Surface,
+    /// What was looked for.
+    sought: DiagnosisOptions,
+    /// A weld_tolerance that would join half the boundary edges or more, and how many.
+    weldable: Option<(f64, usize)>,
+    /// Closed components that lie within others and face outward as they do.
+    solid_within: usize,
     examples: Examples,
 }
 
@@ -172,6 +179,9 @@ impl Mesh {
         found.list_faces(&subject, options)?;
         found.list_components(&subject)?;
         found.list_loops(&subject)?;
+        found.sought = options.clone();
+        found.weldable = nearly::weldable(&subject)?;
+        found.solid_within = nearly::solid_within(&subject, &found)?;
         found.examples = Examples::of(&found, self);
         Ok(found)
     }

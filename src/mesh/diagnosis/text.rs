@@ -3,8 +3,9 @@
 
 use super::digits::{count, point, significant};
 use super::examples::SHOWN;
-use super::{Component, Diagnosis};
+use super::{BoundaryLoop, Component, Diagnosis};
 use crate::math::{Aabb, Vec3};
+use crate::mesh::RepairOptions;
 
 /// Rows of a table.
 const ROWS: usize = 20;
@@ -74,7 +75,7 @@ impl Diagnosis {
 
     /// A line for each kind of fault that there is, and one for all that there are not.
     fn faults(&self) -> Vec<String> {
-        let (mut lines, mut absent) = (Vec::new(), Vec::new());
+        let (mut lines, mut absent, mut unsought) = (Vec::new(), Vec::new(), Vec::new());
         let mut tell = |what: &str, n: usize, shown: String| match n {
             0 => absent.push(what.to_owned()),
             _ => lines.push(format!("{what}: {n}: {shown}")),
@@ -104,7 +105,10 @@ impl Diagnosis {
         let n = self.slivers.len();
         let slivers = self.slivers.iter().zip(&e.slivers);
         let shown = slivers.map(|(s, p)| at(format!("{} of ratio {}", s.face, significant(s.ratio, 2)), p));
-        tell("slivers", n, examples(n, "faces", shown));
+        match self.sought.sliver_ratio {
+            0.0 => unsought.push("slivers"),
+            _ => tell("slivers", n, examples(n, "faces", shown)),
+        }
         let n = self.warped_faces.len();
         let faces = self.warped_faces.iter().zip(&e.warped_faces);
         let shown = faces.map(|(s, p)| at(format!("{} off a plane by {}", s.face, significant(s.ratio, 2)), p));
@@ -112,7 +116,10 @@ impl Diagnosis {
         let n = self.off_plane_faces.len();
         let faces = self.off_plane_faces.iter().zip(&e.off_plane_faces);
         let shown = faces.map(|(s, p)| at(format!("{} by {}", s.face, significant(s.ratio, 2)), p));
-        tell("faces off a plane", n, examples(n, "faces", shown));
+        match self.sought.off_plane_ratio {
+            0.0 => unsought.push("faces off a plane"),
+            _ => tell("faces off a plane", n, examples(n, "faces", shown)),
+        }
         match &self.intersections {
             Some(found) if found.count == 0 => absent.push("intersections".to_owned()),
             Some(found) => {
@@ -126,6 +133,9 @@ impl Diagnosis {
         }
         if !absent.is_empty() {
             lines.push(format!("none found: {}", absent.join(", ")));
+        }
+        if !unsought.is_empty() {
+            lines.push(format!("not looked for: {}", unsought.join(", ")));
         }
         lines
     }
@@ -178,7 +188,7 @@ impl Diagnosis {
         let mut parts = Vec::new();
         parts.extend(if balanced { self.advice_on_orientation() } else { Some(self.advice_for_open()) });
         if balanced && (crosses || self.surface.nonmanifold_edges > 0) {
-            let why = if crosses { "faces pass through each other" } else { "edges have more than two faces" };
+            let why = if crosses { "faces touch or pass through each other" } else { "edges have more than two faces" };
             parts.push(format!("{why}: EMB_SIGN_AUTO takes the sign from crossings, as EMB_SIGN_RAY does"));
         }
         if balanced && !self.duplicates.is_empty() {
@@ -186,8 +196,18 @@ impl Diagnosis {
             let copies = count(self.duplicates.len(), "face");
             parts.push(format!("{copies} {repeat}: a signed distance takes one of each"));
         }
+        if self.solid_within > 0 {
+            let (n, one) = (self.solid_within, self.solid_within == 1);
+            let shells = count(n, "closed component");
+            let (faces, encloses) = if one { ("faces", "is") } else { ("face", "are") };
+            parts.push(format!(
+                "{shells} within another {faces} outward, too, and {encloses} no cavity: EMB_REPAIR_ORIENT or \
+                 EMB_ORIENT_ALTERNATE makes it one"
+            ));
+        }
         if parts.is_empty() {
-            parts.push("nothing: closed, consistent, outward, fit for a signed distance as it is".to_owned());
+            let sought = if self.intersections.is_some() { "" } else { ", but for intersections, not looked for" };
+            parts.push(format!("nothing{sought}: closed, consistent, outward, fit for a signed distance as it is"));
         }
         parts.join("; ")
     }
@@ -209,18 +229,52 @@ impl Diagnosis {
     /// Where the surface has no inside: loops can be filled, other edges without a partner cannot.
     fn advice_for_open(&self) -> String {
         let unsigned = "ask for the unsigned distance (EMB_SIGN_NONE)";
+        if let Some((tolerance, joined)) = self.weldable {
+            let boundary = count(self.report.boundary_edges, "boundary edge");
+            return format!(
+                "{joined} of {boundary} nearly coincide: weld with weld_tolerance {tolerance:e}, at reading or with \
+                 EMB_REPAIR_WELD, before holes are filled"
+            );
+        }
         let fillable = !self.loops.is_empty() && self.loops.iter().all(|l| l.closed);
         if fillable && self.surface.unbalanced_edges == self.report.boundary_edges {
             let largest = self.loops.iter().map(|l| l.edges).max().unwrap_or(0);
             let rest = if self.loops.len() > 1 { ", the largest" } else { "" };
             let (holes, edges) = (count(self.loops.len(), "hole"), count(largest, "edge"));
-            return format!(
-                "{holes}{rest} of {edges}: repair with EMB_REPAIR_HOLES (hole_length says how long a rim) or {unsigned}"
-            );
+            let how = self.hole_limits().unwrap_or_else(|| " (hole_length says how long a rim)".to_owned());
+            return format!("{holes}{rest} of {edges}: repair with EMB_REPAIR_HOLES{how} or {unsigned}");
         }
         let n = self.surface.unbalanced_edges;
         let (edges, do_not) = (count(n, "edge"), if n == 1 { "does not" } else { "do not" });
         format!("{edges} {do_not} have as many faces one way as the other: no inside; {unsigned}")
+    }
+
+    /// What the options must say so that all holes are filled, where the defaults leave some.
+    fn hole_limits(&self) -> Option<String> {
+        let defaults = RepairOptions::default();
+        // Three edges are a missing triangle, however long.
+        let holes = || self.loops.iter().filter(|l| l.edges > 3);
+        let share = |l: &BoundaryLoop| {
+            let c = &self.components[l.component as usize];
+            l.length / Aabb::new(Vec3::from_array(c.lo), Vec3::from_array(c.hi)).diagonal()
+        };
+        let longest = holes().map(share).fold(0.0, f64::max);
+        let most = holes().map(|l| l.edges).max().unwrap_or(0);
+        let mut raised = Vec::new();
+        if longest > defaults.hole_length {
+            let n = holes().filter(|l| share(l) > defaults.hole_length).count();
+            let (rims, are) = (count(n, "rim"), if n == 1 { "is" } else { "are" });
+            let (limit, enough) = (defaults.hole_length, (1e3 * longest * (1.0 + 1e-9)).ceil() / 1e3);
+            raised.push(format!(
+                "hole_length {enough} ({rims} {are} longer than the {limit} component diagonals of the default; if not meant open)"
+            ));
+        }
+        if most > RepairOptions::MOST_HOLE_EDGES {
+            raised.push(format!("no way to fill those of more than {} edges", RepairOptions::MOST_HOLE_EDGES));
+        } else if most > defaults.hole_edges {
+            raised.push(format!("hole_edges {most} (by default {})", defaults.hole_edges));
+        }
+        (!raised.is_empty()).then(|| format!(" and {}", raised.join(" and ")))
     }
 
     /// Faces that are left after welding.
