@@ -35,8 +35,12 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     // Of a large file these are most of the memory.
     drop((positions, same_as, given));
     report.degenerate_faces = shrunk.len();
-    let (mut triangles, warped) = triangulate(&vertices, &faces)?;
-    report.warped_faces = warped;
+    let mut data = Data::of(vertices.len(), &faces, &source, vertex_data, face_data)?;
+    drop(source);
+    let cut = triangulate(&vertices, &faces, &data.row_of_corner)?;
+    let mut triangles = cut.triangles;
+    report.warped_faces = cut.warped;
+    data.of_pieces = cut.rows;
     let edges = Edges::of(vertices.len(), faces.half_edges())?;
     let of_half_edge = faces.of_half_edges()?;
     let repeats = duplicates::find(&faces, vertices.len())?;
@@ -45,8 +49,6 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     report.count(&faces, &edges, &of_half_edge, flux)?;
     (report.lo, report.hi) = (bounds.lo.to_array(), bounds.hi.to_array());
 
-    let mut data = Data::of(vertices.len(), &faces, &source, vertex_data, face_data)?;
-    drop(source);
     let parts =
         Parts { vertices: &vertices, faces: &faces, triangles: &triangles, edges: &edges, of_half_edge: &of_half_edge };
     let turned = match options.orient {

@@ -2,9 +2,10 @@
 //! Named data of vertices and faces: scalars and vectors that a file or the caller attached to a surface.
 
 use super::Mesh;
-use super::faces::{Faces, filled};
+use super::faces::{Faces, filled, starts_from_counts};
 use crate::error::{Error, Result, try_copy, try_with_capacity};
 use crate::math::Vec3;
+use std::cmp::Ordering;
 
 /// The type that the values had in the file, and have again when written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -90,7 +91,12 @@ pub(crate) struct Data {
     pub row_of_corner: Vec<u32>,
     /// The vertex of each row from the count of vertices on.
     pub seam_rows: Vec<u32>,
+    /// The pieces of faces that come to a vertex again in another row, ascending.
+    pub of_pieces: Vec<PieceRows>,
 }
+
+/// A triangle, and the rows of its corners in the order in which the input gave them.
+pub(super) type PieceRows = (u32, [u32; 3]);
 
 impl Data {
     /// Sorts vertex data given by input vertex into rows; `source` has the input vertex of each corner.
@@ -98,41 +104,32 @@ impl Data {
         if vertex.is_empty() {
             return Ok(Data { face, ..Data::default() });
         }
-        const NONE: u32 = u32::MAX;
-        let mut given_of_row = filled("rows", vertices, NONE)?;
-        let mut next_row = filled("rows", vertices, NONE)?;
-        let mut vertex_of_row = try_with_capacity("rows", vertices)?;
-        vertex_of_row.extend(0..vertices as u32);
-        let mut row_of_corner = try_with_capacity("corners", source.len())?;
         let bits = |k: u32| vertex.iter().flat_map(move |f| f.item(k as usize).iter().map(|x| x.to_bits()));
-        for (&v, &given) in faces.corners.iter().zip(source) {
-            if given_of_row[v as usize] == NONE {
-                given_of_row[v as usize] = given;
-            }
-            let mut row = v;
-            while given_of_row[row as usize] != given && !bits(given_of_row[row as usize]).eq(bits(given)) {
-                if next_row[row as usize] == NONE {
-                    for rows in [&mut given_of_row, &mut next_row, &mut vertex_of_row] {
-                        rows.try_reserve(1).map_err(|_| Error::memory("rows", rows.len()))?;
+        let by_data = |a, b| if a == b { Ordering::Equal } else { bits(a).cmp(bits(b)) };
+        let (mut given_of_row, differs) = lowest(vertices, faces, source, |a, b| by_data(a, b).is_eq())?;
+        let (mut row_of_corner, mut seam_rows) = (Vec::new(), Vec::new());
+        if differs.contains(&true) {
+            row_of_corner = first_with_data(faces, source, &differs, by_data)?;
+            for (c, &v) in faces.corners.iter().enumerate() {
+                row_of_corner[c] = match row_of_corner[c] {
+                    NONE => v,
+                    first if (first as usize) < c => row_of_corner[first as usize],
+                    _ => {
+                        for rows in [&mut given_of_row, &mut seam_rows] {
+                            rows.try_reserve(1).map_err(|_| Error::memory("rows", rows.len()))?;
+                        }
+                        given_of_row.push(source[c]);
+                        seam_rows.push(v);
+                        given_of_row.len() as u32 - 1
                     }
-                    next_row[row as usize] = given_of_row.len() as u32;
-                    given_of_row.push(given);
-                    next_row.push(NONE);
-                    vertex_of_row.push(v);
-                }
-                row = next_row[row as usize];
+                };
             }
-            row_of_corner.push(row);
         }
-        let seam_rows = try_copy("rows", &vertex_of_row[vertices..])?;
         let mut rows = try_with_capacity("fields", vertex.len())?;
         for field in vertex {
             rows.push(field.gathered(given_of_row.iter().copied())?);
         }
-        if seam_rows.is_empty() {
-            row_of_corner = Vec::new();
-        }
-        Ok(Data { vertex: rows, face, row_of_corner, seam_rows })
+        Ok(Data { vertex: rows, face, row_of_corner, seam_rows, of_pieces: Vec::new() })
     }
 
     fn try_clone(&self) -> Result<Data> {
@@ -141,6 +138,7 @@ impl Data {
             face: Field::try_clone(&self.face)?,
             row_of_corner: try_copy("corners", &self.row_of_corner)?,
             seam_rows: try_copy("rows", &self.seam_rows)?,
+            of_pieces: try_copy("pieces", &self.of_pieces)?,
         })
     }
 
@@ -148,6 +146,61 @@ impl Data {
     pub fn row(&self, corner: u32, vertex: u32) -> u32 {
         self.row_of_corner.get(corner as usize).copied().unwrap_or(vertex)
     }
+}
+
+/// No corner, no vertex.
+const NONE: u32 = u32::MAX;
+
+/// The input vertex of the lowest corner of each vertex, and whether others are not the same.
+fn lowest(
+    vertices: usize,
+    faces: &Faces,
+    source: &[u32],
+    same: impl Fn(u32, u32) -> bool,
+) -> Result<(Vec<u32>, Vec<bool>)> {
+    let mut lowest = filled("rows", vertices, NONE)?;
+    let mut differs = filled("vertices", vertices, false)?;
+    for (&v, &given) in faces.corners.iter().zip(source) {
+        let (lowest, differs) = (&mut lowest[v as usize], &mut differs[v as usize]);
+        if *lowest == NONE {
+            *lowest = given;
+        } else if !*differs {
+            *differs = !same(*lowest, given);
+        }
+    }
+    Ok((lowest, differs))
+}
+
+/// For each corner the lowest of its vertex with the same data; [`NONE`] where that is the lowest of all of its vertex.
+/// The corners of a vertex are sorted by their data: a look at each pair would be quadratic.
+fn first_with_data(
+    faces: &Faces,
+    source: &[u32],
+    differs: &[bool],
+    by_data: impl Fn(u32, u32) -> Ordering,
+) -> Result<Vec<u32>> {
+    let on_seams = || faces.corners.iter().zip(0u32..).filter(|(v, _)| differs[**v as usize]);
+    let mut end = filled("vertices", differs.len() + 1, 0u32)?;
+    on_seams().for_each(|(v, _)| end[*v as usize] += 1);
+    starts_from_counts(&mut end);
+    let mut sorted = filled("corners", end[differs.len()] as usize, 0u32)?;
+    for (&v, c) in on_seams() {
+        sorted[end[v as usize] as usize] = c;
+        end[v as usize] += 1;
+    }
+    let mut first = filled("corners", source.len(), NONE)?;
+    let mut from = 0;
+    for &end in &end[..differs.len()] {
+        let of_vertex = &mut sorted[from..end as usize];
+        from = end as usize;
+        let Some(&lowest) = of_vertex.first() else { continue };
+        let by_data = |a: u32, b: u32| by_data(source[a as usize], source[b as usize]);
+        of_vertex.sort_unstable_by(|a, b| by_data(*a, *b).then(a.cmp(b)));
+        for group in of_vertex.chunk_by(|a, b| by_data(*a, *b).is_eq()).filter(|group| group[0] != lowest) {
+            group.iter().for_each(|c| first[*c as usize] = group[0]);
+        }
+    }
+    Ok(first)
 }
 
 impl Mesh {
@@ -176,15 +229,23 @@ impl Mesh {
     /// The rows of the three corners of a piece, in the order in which the input gave them.
     fn rows_of(&self, face: i64, piece: i32) -> Option<[u32; 3]> {
         let f = self.half_edges.face_of_input(u32::try_from(face).ok()?)?;
-        let piece = usize::try_from(piece).ok()?;
-        let triangle = self.triangles.get(self.triangles_of(f).nth(piece)?)?;
-        let ring = self.half_edges.around_face(f);
+        let piece = self.triangles_of(f).nth(usize::try_from(piece).ok()?)?;
+        let triangle = self.triangles.get(piece)?;
+        let given = |[a, b, c]: [u32; 3]| if triangle.turned { [a, c, b] } else { [a, b, c] };
+        if self.data.row_of_corner.is_empty() {
+            return Some(given(triangle.vertices));
+        }
+        if let Ok(own) = self.data.of_pieces.binary_search_by_key(&(piece as u32), |(t, _)| *t) {
+            return Some(self.data.of_pieces[own].1);
+        }
+        // Any corner of the face at the vertex will do: all have one row.
+        let first = self.half_edges.around_face(f).start;
         let row = |v: u32| {
-            let corner = ring.clone().find(|h| self.half_edges.origin(*h) == v);
-            corner.map_or(v, |h| self.data.row(h, v))
+            let leaving = self.half_edges.outgoing(v);
+            let corner = leaving.get(leaving.partition_point(|h| *h < first));
+            corner.map_or(v, |h| self.data.row(*h, v))
         };
-        let [a, b, c] = triangle.vertices.map(row);
-        Some(if triangle.turned { [a, c, b] } else { [a, b, c] })
+        Some(given(triangle.vertices.map(row)))
     }
 
     /// The mesh with one more field, or another instead of one of the same name and place. `values` has an

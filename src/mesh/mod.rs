@@ -167,8 +167,11 @@ impl Mesh {
     /// Faces may be concave, may touch themselves (a hole joined to the rim by a bridge) and need not be quite
     /// plane: each is cut into triangles that keep its boundary ([`Report::warped_faces`] counts doubtful ones). One
     /// that crosses itself is cut for the least area; of more than 250 corners, it is parted where it comes to a vertex
-    /// again, and what then still crosses itself is cut from one corner, and may cover what it does not enclose. About
-    /// n log n in the corners of a face.
+    /// again, each part is cut by the same rules, and one of more than 250 that still crosses itself is cut from one
+    /// corner, and may cover what it does not enclose.
+    ///
+    /// About n log n in the corners of a face; the cube for the least area, some 20 ms for 250 corners, so that tangles
+    /// take 0.1 ms a corner at worst.
     ///
     /// # Errors
     /// Those of [`Mesh::from_triangles`]; offsets that do not begin with 0, fall, leave a face fewer than

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Faces cut into triangles.
 
+use super::data::PieceRows;
 use super::faces::{Faces, filled};
 use super::lobes::Lobes;
 use super::{Triangle, ears};
-use crate::error::{Result, try_copy, try_with_capacity};
+use crate::error::{Error, Result, try_copy, try_with_capacity};
 use crate::math::{Aabb, Vec3, length, unit};
 use crate::primitive::least_area::{Stretch, least_area};
 use crate::primitive::polygon;
@@ -15,23 +16,33 @@ const PLANARITY: f64 = 1e-5;
 const F32_ROUNDING: f64 = 2.4e-7;
 
 /// The least area, which takes the cube of the number of corners, is looked for over faces of up to so many: some
-/// 10 ms.
+/// 20 ms, and 0.1 ms a corner where all of a large face is such parts.
 const MOST_CORNERS: usize = 250;
 
 /// From about here on a tree of the corners finds ears faster than a look at each.
 const MANY_CORNERS: usize = 100;
 
-/// The triangles of all faces in order; also how many faces are warped. `Triangle::face` counts in `faces`, not in
-/// the input.
+/// Faces as triangles.
+pub(super) struct Cut {
+    /// Those of all faces in order. `Triangle::face` counts in the faces, not in the input.
+    pub triangles: Vec<Triangle>,
+    /// How many faces are warped.
+    pub warped: usize,
+    /// As [`super::Data::of_pieces`].
+    pub rows: Vec<PieceRows>,
+}
+
+/// Cuts all faces. `rows` has a row of data for each corner, or nothing.
 ///
 /// Every face keeps its boundary. Seen along its area vector, a face that the diagonals from its first corner cut
 /// is cut by those; another that does not cross itself by clipping ears; and what does by the triangulation of least
 /// area. Of more than [`MOST_CORNERS`] corners, what does is parted where it comes to a vertex again, and each part cut
 /// by these rules; what then still crosses itself is cut into a fan.
-pub(super) fn triangulate(vertices: &[Vec3], faces: &Faces) -> Result<(Vec<Triangle>, usize)> {
+pub(super) fn triangulate(vertices: &[Vec3], faces: &Faces, rows: &[u32]) -> Result<Cut> {
     let count = faces.corners.len() - 2 * faces.len();
     let mut triangles = try_with_capacity("triangles", count)?;
     let mut scratch = Scratch::default();
+    let mut rows_of_pieces = Vec::new();
     let mut warped = 0;
     for (f, corners) in faces.iter().enumerate() {
         let face = f as u32;
@@ -41,9 +52,24 @@ pub(super) fn triangulate(vertices: &[Vec3], faces: &Faces) -> Result<(Vec<Trian
         }
         warped += usize::from(!scratch.cut(vertices, corners)?);
         let to_vertices = |t: &[u32; 3]| Triangle { vertices: t.map(|k| corners[k as usize]), face, turned: false };
+        let rows = rows.get(faces.start[f] as usize..faces.start[f + 1] as usize).unwrap_or_default();
+        if !rows.is_empty() && is_again_in_another_row(corners, rows)? {
+            let count = scratch.triangles.len();
+            rows_of_pieces.try_reserve(count).map_err(|_| Error::memory("pieces", count))?;
+            let to_rows = |t: &[u32; 3]| t.map(|k| rows[k as usize]);
+            rows_of_pieces.extend((triangles.len() as u32..).zip(scratch.triangles.iter().map(to_rows)));
+        }
         triangles.extend(scratch.triangles.iter().map(to_vertices));
     }
-    Ok((triangles, warped))
+    Ok(Cut { triangles, warped, rows: rows_of_pieces })
+}
+
+/// Whether a face has a vertex twice, in different rows.
+fn is_again_in_another_row(corners: &[u32], rows: &[u32]) -> Result<bool> {
+    let mut sorted = try_with_capacity("corners", corners.len())?;
+    sorted.extend(corners.iter().zip(rows));
+    sorted.sort_unstable();
+    Ok(sorted.windows(2).any(|w| w[0].0 == w[1].0 && w[0].1 != w[1].1))
 }
 
 /// Whether a face counts as warped.

@@ -2,11 +2,15 @@
 //! Vertices with equal positions become one, and by choice those nearer than a tolerance.
 //!
 //! Equal positions meet in a hash table with a fixed hash. Near ones are found by the cells of a grid
-//! whose side is about half the tolerance: all of one cell are near, and the rest are within two cells.
+//! whose side is about half the tolerance: all of one cell are near, and the rest are within two cells. Whether any
+//! two of two cells are near is asked of trees where the cells hold many.
+
+mod spots;
 
 use super::faces::{Sets, filled};
 use crate::error::{Error, Result, try_with_capacity};
-use crate::math::{Aabb, Vec3, length};
+use crate::math::{Aabb, Vec3};
+use spots::Spots;
 
 /// Not used by any face.
 pub(super) const UNUSED: u32 = u32::MAX;
@@ -81,7 +85,7 @@ fn hash(p: Vec3) -> u64 {
 
 /// Welds those nearer than `distance`, and chains of them; the lowest of each keeps its place.
 pub(super) fn weld_near(welded: &mut Welded, bounds: Aabb, distance: f64) -> Result<()> {
-    let grid = Grid::new(&welded.vertices, bounds, distance)?;
+    let mut grid = Grid::new(&welded.vertices, bounds, distance)?;
     let mut sets = Sets::new(welded.vertices.len())?;
     for c in 0..grid.cells.len() {
         let members = grid.members(c);
@@ -89,11 +93,11 @@ pub(super) fn weld_near(welded: &mut Welded, bounds: Aabb, distance: f64) -> Res
             sets.join(members[0], v);
         }
     }
-    let near = |a: u32, b: u32| length(welded.vertices[a as usize] - welded.vertices[b as usize]) < distance;
+    let spots = Spots::new(&welded.vertices, &mut grid, distance)?;
     for dx in 0..=2 {
         for dy in -2..=2 {
             if dx > 0 || dy >= 0 {
-                grid.join_neighbours(dx, dy, &near, &mut sets);
+                grid.join_neighbours(dx, dy, &spots, &mut sets);
             }
         }
     }
@@ -157,7 +161,7 @@ impl Grid {
 
     /// Joins each cell with those whose offset is (dx, dy, -2..=2). Cells are sorted, so the first
     /// neighbour moves forward with the cell.
-    fn join_neighbours(&self, dx: i64, dy: i64, near: &dyn Fn(u32, u32) -> bool, sets: &mut Sets) {
+    fn join_neighbours(&self, dx: i64, dy: i64, spots: &Spots, sets: &mut Sets) {
         let mut first = 0;
         for (c, &[x, y, z]) in self.cells.iter().enumerate() {
             while first < self.cells.len() && self.cells[first] < [x + dx, y + dy, z - 2] {
@@ -167,11 +171,9 @@ impl Grid {
                 if self.cells[d] > [x + dx, y + dy, z + 2] {
                     break;
                 }
-                let (ours, theirs) = (self.members(c), self.members(d));
-                if sets.find(ours[0]) != sets.find(theirs[0])
-                    && ours.iter().any(|&a| theirs.iter().any(|&b| near(a, b)))
-                {
-                    sets.join(ours[0], theirs[0]);
+                let (ours, theirs) = (self.members(c)[0], self.members(d)[0]);
+                if sets.find(ours) != sets.find(theirs) && spots.are_near(self, c, d) {
+                    sets.join(ours, theirs);
                 }
             }
         }

@@ -75,14 +75,20 @@ fn best(points: &[Vec3], table: &[Stretch], i: usize, k: usize, worst: f64) -> S
     best
 }
 
-/// The area of a triangle, and more where it is thin; where the area alone is beyond `enough`, that. One of two equal
-/// corners costs nothing: where a loop comes to a point again, it is what parts the lobes.
+/// The area of a triangle, and more where it is thin; where the area alone is beyond `enough`, anything beyond. One of
+/// two equal corners costs nothing: where a loop comes to a point again, it is what parts the lobes.
 fn cost(a: Vec3, b: Vec3, c: Vec3, enough: f64, worst: f64) -> f64 {
     if a == b || b == c || c == a {
         return 0.0;
     }
     let (u, v, w) = (b - a, c - b, a - c);
-    let area = 0.5 * length(u.cross(w));
+    let across = u.cross(w);
+    // Most triangles of a tangle are too large: squares tell, where they neither overflow nor underflow.
+    let squared = across.dot(across);
+    if (1e-280..1e280).contains(&squared) && squared > 4.000_001 * (enough * enough) {
+        return f64::INFINITY;
+    }
+    let area = 0.5 * length(across);
     if area > enough {
         return area;
     }

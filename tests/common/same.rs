@@ -18,10 +18,11 @@ fn bits(field: &Field) -> Bits {
     (field.name.clone(), field.components, field.values.iter().map(|x| x.to_bits()).collect())
 }
 
-/// A vertex field at the three corners of every triangle.
+/// A vertex field at every corner of every face, and at the three corners of every triangle.
 fn at_corners(mesh: &Mesh, field: &Field) -> Vec<u64> {
     let mut out = vec![0.0; field.components];
-    let mut all = Vec::new();
+    let rows = (0..mesh.half_edges().count() as u32).map(|h| mesh.vertex_data_row(h) as usize);
+    let mut all: Vec<u64> = rows.flat_map(|row| field.item(row)).map(|x| x.to_bits()).collect();
     for f in 0..mesh.half_edges().face_count() as u32 {
         for piece in 0..mesh.triangles_of(f).len() {
             for corner in [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)] {

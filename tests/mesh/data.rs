@@ -2,7 +2,7 @@
 //! Data of vertices and faces, interpolated at closest points.
 
 use super::*;
-use embound::geometry::{Geometry, SdfOptions};
+use embound::geometry::{Geometry, SdfOptions, SignMethod};
 use embound::mesh::{Field, FieldType};
 use embound::parallel::Run;
 
@@ -89,4 +89,178 @@ fn a_field_replaces_one_of_its_name_and_must_fit() {
     assert_eq!(mesh.with_tags(&[1], vec![]).unwrap_err().message(), "tags: 1 values for 20 faces");
     let twice = vec![(1, "a".to_owned()), (1, "b".to_owned())];
     assert_eq!(mesh.with_tags(&[1; 20], twice).unwrap_err().message(), "names: tag 1 has two names");
+}
+
+/// A mesh of unwelded polygons with one number for each vertex, then welded.
+fn welded(xyz: &[Vec3], offsets: &[usize], indices: &[u32], values: Vec<f64>, orient: Orient) -> Mesh {
+    let xyz: Vec<f64> = xyz.iter().flat_map(|p| p.to_array()).collect();
+    let apart = options(|o| (o.weld_tolerance, o.orient) = (-1.0, Orient::Keep));
+    let mesh = Mesh::from_polygons(&xyz, offsets, indices, None, &apart).unwrap();
+    let field = Field { name: "own".into(), kind: FieldType::F64, components: 1, values };
+    mesh.with_field(false, field).unwrap().rebuilt(&options(|o| o.orient = orient)).unwrap()
+}
+
+/// The same of triangles of vertices of their own.
+fn welded_soup(corners: &[Vec3], values: Vec<f64>) -> Mesh {
+    let offsets: Vec<usize> = (0..=corners.len() / 3).map(|t| 3 * t).collect();
+    let indices: Vec<u32> = (0..corners.len() as u32).collect();
+    welded(corners, &offsets, &indices, values, Orient::Keep)
+}
+
+#[test]
+fn rows_are_those_of_a_plain_search() {
+    let mut random = Random(5);
+    let kinds = [0.0, -0.0, 1.0, f64::NAN, f64::from_bits(f64::NAN.to_bits() ^ 1), f64::INFINITY, 1e-310, -1.0];
+    let mut seams = 0;
+    for round in 0..300 {
+        let (spots, values, triangles) = (3 + random.below(8), 1 + random.below(8), 1 + random.below(60));
+        let mut corners = Vec::new();
+        for _ in 0..triangles {
+            let first = random.below(spots);
+            let second = (first + 1 + random.below(spots - 1)) % spots;
+            let third = (0..spots).find(|k| *k != first && *k != second).unwrap();
+            corners.extend([first, second, third].map(|k| Vec3::new(k as f64, (k * k) as f64, (k % 3) as f64)));
+        }
+        let given: Vec<f64> = corners.iter().map(|_| kinds[random.below(values)]).collect();
+        let mesh = welded_soup(&corners, given.clone());
+        let topology = mesh.half_edges();
+        assert_eq!(topology.count(), corners.len());
+        // The rows of the vertices are first, each the value of its lowest corner; others follow as they turn up.
+        let vertices = mesh.vertices().len() as u32;
+        let lowest = |v: u32| (0..).find(|h| topology.origin(*h) == v).unwrap() as usize;
+        let mut rows: Vec<(u32, u64)> = (0..vertices).map(|v| (v, given[lowest(v)].to_bits())).collect();
+        for h in 0..topology.count() as u32 {
+            let wanted = (topology.origin(h), given[h as usize].to_bits());
+            let row = rows.iter().position(|row| *row == wanted).unwrap_or(rows.len());
+            if row == rows.len() {
+                rows.push(wanted);
+            }
+            assert_eq!(mesh.vertex_data_row(h), row as u32, "round {round}, corner {h}");
+        }
+        let found: Vec<u64> = mesh.vertex_fields()[0].values.iter().map(|x| x.to_bits()).collect();
+        assert_eq!(found, rows.iter().map(|row| row.1).collect::<Vec<_>>(), "round {round}");
+        seams += rows.len() - vertices as usize;
+    }
+    assert!(seams > 3000, "{seams}");
+}
+
+#[test]
+fn a_vertex_may_have_many_rows() {
+    // The tip of a cone has another value in each of its faces, but for every seventh; a look at each pair of them
+    // would take minutes.
+    let count = 150_000;
+    let rim = |k: usize| {
+        let angle = std::f64::consts::TAU * (k % count) as f64 / count as f64;
+        Vec3::new(libm::cos(angle), libm::sin(angle), 0.0)
+    };
+    let corners: Vec<Vec3> = (0..count).flat_map(|k| [Vec3::Z, rim(k), rim(k + 1)]).collect();
+    let value = |k: usize| if k % 7 == 3 { 0.5 } else { (count - k) as f64 };
+    let mesh = welded_soup(&corners, (0..count).flat_map(|k| [value(k), -1.0, -1.0]).collect());
+    let field = &mesh.vertex_fields()[0];
+    let shared = (0..count).filter(|k| k % 7 == 3).count();
+    assert_eq!((mesh.vertices().len(), field.values.len()), (count + 1, count + 1 + count - shared));
+    let mut last = 0;
+    for k in 0..count {
+        let row = mesh.vertex_data_row(3 * k as u32);
+        assert_eq!(field.values[row as usize], value(k));
+        // In the order in which they turn up; the shared one is that of face 3.
+        let wanted = if k == 0 {
+            0
+        } else if k % 7 == 3 {
+            count + 3
+        } else {
+            count + k - (k + 3) / 7 + usize::from(k > 3)
+        };
+        assert_eq!(row as usize, wanted, "{k}");
+        last = last.max(wanted);
+    }
+    assert_eq!(last + 1, field.values.len());
+}
+
+/// Each piece has the values of corners of its own: seen by their corners, all sides of the pieces cancel but for those
+/// of the face.
+fn assert_own_corners(ring: &[Vec3], face_before: bool) {
+    for orient in [Orient::Keep, Orient::Flip] {
+        // A triangle before or after, so that numbers of faces, pieces and corners differ.
+        let far = [7.0, 8.0, 9.0].map(|x| Vec3::new(x, x * x, 99.0));
+        let n = ring.len();
+        let (xyz, start, f) = match face_before {
+            true => ([&far[..], ring].concat(), 3, 1),
+            false => ([ring, &far[..]].concat(), 0, 0),
+        };
+        let offsets = if face_before { [0, 3, 3 + n] } else { [0, n, n + 3] };
+        let indices: Vec<u32> = (0..n as u32 + 3).collect();
+        let mesh = welded(&xyz, &offsets, &indices, indices.iter().map(|k| f64::from(*k)).collect(), orient);
+        let mut sides = Vec::new();
+        for piece in 0..n as i32 - 2 {
+            let corners = [Vec3::X, Vec3::Y, Vec3::Z].map(|at| {
+                let mut value = [0.0];
+                mesh.interpolate(&mesh.vertex_fields()[0], f, piece, at, &mut value);
+                value[0] as usize - start
+            });
+            sides.extend((0..3).map(|k| (corners[k], corners[(k + 1) % 3])));
+        }
+        let mut left: Vec<_> = sides.iter().filter(|(a, b)| !sides.contains(&(*b, *a))).copied().collect();
+        left.sort_unstable();
+        assert_eq!(left, (0..n).map(|k| (k, (k + 1) % n)).collect::<Vec<_>>(), "{orient:?}");
+        for h in mesh.half_edges().around_face(f as u32) {
+            let row = mesh.vertex_data_row(h) as usize;
+            assert!(
+                mesh.vertices()[mesh.half_edges().origin(h) as usize]
+                    == xyz[mesh.vertex_fields()[0].values[row] as usize]
+            );
+        }
+    }
+}
+
+#[test]
+fn faces_that_touch_themselves_keep_the_data_of_each_corner() {
+    let flat = |points: &[[f64; 2]]| points.iter().map(|p| Vec3::new(p[0], p[1], 0.0)).collect::<Vec<_>>();
+    let bow = flat(&[[0.0, 0.0], [1.0, -1.0], [1.0, 1.0], [0.0, 0.0], [-1.0, 1.0], [-1.0, -1.0]]);
+    // A hole joined to the rim by a bridge, which both of its ends come to twice.
+    let keyhole = [[0.0, 0.0], [3.0, 0.0], [3.0, 3.0], [0.0, 3.0], [0.0, 0.0], [1.0, 1.0], [1.0, 2.0], [2.0, 2.0]];
+    let keyhole = flat(&[&keyhole[..], &[[2.0, 1.0], [1.0, 1.0]]].concat());
+    // Lobes that run against each other, so that the face crosses itself; of few corners and of many.
+    let lobes = |n: usize| {
+        let lobe = |center: f64, clockwise: bool| {
+            let turn = std::f64::consts::TAU / n as f64 * if clockwise { -1.0 } else { 1.0 };
+            (0..n).map(move |k| {
+                let at = turn * k as f64;
+                Vec3::new(center * (1.0 - libm::cos(at)), -center * libm::sin(at), 0.1 * center * libm::sin(at))
+            })
+        };
+        lobe(1.0, false).chain(lobe(-1.0, true)).chain(lobe(0.3, false)).collect::<Vec<_>>()
+    };
+    let star = lobes(40).into_iter().map(|p| Vec3::new(p.x, p.y, 0.0)).collect();
+    for mut ring in [bow, keyhole, lobes(4), lobes(40), star, lobes(100), lobes(300)] {
+        for shift in [0, 1, 3] {
+            ring.rotate_left(shift);
+            assert_own_corners(&ring, false);
+            assert_own_corners(&ring, true);
+        }
+    }
+}
+
+#[test]
+fn what_a_closest_point_gets_is_of_its_side_of_the_seam() {
+    // A square with a hole, joined by a bridge from (0, 0) to (1, 1); other values on either side of it.
+    let ring = [[0, 0], [3, 0], [3, 3], [0, 3], [0, 0], [1, 1], [1, 2], [2, 2], [2, 1], [1, 1]];
+    let ring = ring.map(|[x, y]| Vec3::new(f64::from(x), f64::from(y), 0.0));
+    let values = vec![100.0, 50.0, 50.0, 50.0, 0.0, 1.0, 50.0, 50.0, 50.0, 101.0];
+    let indices: Vec<u32> = (0..10).collect();
+    for orient in [Orient::Keep, Orient::Flip] {
+        let mesh = welded(&ring, &[0, 10], &indices, values.clone(), orient);
+        assert_eq!((mesh.vertices().len(), mesh.vertex_fields()[0].values.len()), (8, 10));
+        let unsigned = SdfOptions { sign: SignMethod::None, ..SdfOptions::default() };
+        let g = Geometry::from_mesh(&mesh, &unsigned, &Run::default()).unwrap();
+        for k in 1..100 {
+            let at = f64::from(k) / 100.0;
+            for (off, more) in [(1e-5, 100.0), (-1e-5, 0.0)] {
+                let c = g.closest(Vec3::new(at + off, at - off, 0.5));
+                let mut found = [0.0];
+                mesh.interpolate(&mesh.vertex_fields()[0], c.primitive, c.piece, c.barycentric, &mut found);
+                assert!((found[0] - more - at).abs() < 1e-2, "{found:?} at {c:?}");
+            }
+        }
+    }
 }

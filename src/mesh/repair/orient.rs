@@ -13,7 +13,7 @@ use crate::mesh::{copies, duplicates};
 /// Orients all faces; the rule is that of [`orient`].
 pub(super) fn orient(work: &mut Work, repairs: &mut Repairs) -> Result<()> {
     let faces = &work.faces;
-    let (triangles, _) = triangulate(&work.positions, faces)?;
+    let triangles = triangulate(&work.positions, faces, &[])?.triangles;
     let edges = Edges::of(work.positions.len(), faces.half_edges())?;
     let of_half_edge = faces.of_half_edges()?;
     let parts =
