@@ -103,6 +103,59 @@ fn a_surface_through_itself_is_found_and_signed_by_crossings() {
     assert_eq!(refused.status(), Status::Topology);
 }
 
+/// Bodies of which some triangles meet others, or some parts are turned the wrong way, and the rest is sound.
+fn partly_sound() -> Vec<Soup> {
+    let ball = bodies::icosphere(3);
+    let mut spiked = ball.clone();
+    spiked.vertices[0] = ball.vertices[0].map(|c| -1.5 * c);
+    let mut dented = bodies::torus(1.0, 0.3, 40, 20);
+    for v in dented.vertices.iter_mut().filter(|v| v[0] > 1.0 && v[1].abs() < 0.2) {
+        v[0] -= 0.7;
+    }
+    // A cube in the ball turned the wrong way, and one that hangs on one of its corners, inside out.
+    let inner = bodies::cuboid([-0.2; 3], [0.2; 3]);
+    let mut hanging = ball.and(&bodies::tetrahedron().scaled(0.3).flipped());
+    let shift = [0, 1, 2].map(|k| ball.vertices[5][k] - hanging.vertices[ball.vertices.len()][k]);
+    for v in &mut hanging.vertices[ball.vertices.len()..] {
+        *v = [0, 1, 2].map(|k| v[k] + shift[k]);
+    }
+    hanging.vertices[ball.vertices.len()] = ball.vertices[5];
+    vec![
+        spiked.and(&ball.scaled(0.5).translated([3.0, 0.0, 0.0])),
+        dented,
+        ball.and(&inner),
+        ball.and(&inner.flipped()),
+        ball.and(&ball.flipped().scaled(0.8).translated([2.5, 0.0, 0.0])),
+        hanging,
+        bodies::with_flat_triangles(&ball).and(&ball.translated([1.9, 0.1, 0.2])),
+    ]
+}
+
+#[test]
+fn normals_decide_only_where_crossings_say_the_same() {
+    let mut random = Random(29);
+    for (k, soup) in partly_sound().into_iter().enumerate() {
+        for scale in [1e-6, 1.0, 1e6] {
+            let body = soup.map(|[x, y, z]| [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, z + 0.1 * x].map(|c| c * scale));
+            let kept = |sign| {
+                let options = SdfOptions { sign, ..SdfOptions::default() };
+                Geometry::from_mesh(&body.mesh_with(&kept_and_welded()), &options, &Run::SERIAL).unwrap()
+            };
+            let (g, by_ray) = (kept(SignMethod::Auto), kept(SignMethod::Ray));
+            let points = points::all_kinds(&body, 400, &mut random);
+            for &p in &points {
+                let (a, b) = (g.value(Vec3::from_array(p)), by_ray.value(Vec3::from_array(p)));
+                assert!(a == b || a.abs().max(b.abs()) < 1e-13 * scale, "body {k}: {a} {b} at {p:?}");
+            }
+            assert!(assert_signs(&body, &g, &points) > 700, "body {k}");
+        }
+    }
+}
+
+fn kept_and_welded() -> MeshOptions {
+    MeshOptions { orient: Orient::Keep, ..MeshOptions::default() }
+}
+
 #[test]
 fn a_triangle_without_area_poisons_nothing() {
     // The edge 0-1 of a tetrahedron with a vertex in its middle on one side only: a flat triangle closes it.

@@ -120,7 +120,10 @@ pub const EMB_SPLIT_TAG: i32 = 0;
 /// One mesh for what edges connect, by the lowest face of each.
 pub const EMB_SPLIT_COMPONENT: i32 = 1;
 
-/// The sign method is chosen from the mesh; emb_geom_properties.sign_method tells which.
+/// Pseudonormals where the surface meets itself in shared edges and vertices only and has the outside on its outer
+/// side, crossings near the faces where it does not, and everywhere where those are many or edges have more than two
+/// faces. emb_geom_properties.sign_method is EMB_SIGN_PSEUDONORMAL where pseudonormals decide everywhere, else
+/// EMB_SIGN_RAY.
 pub const EMB_SIGN_AUTO: i32 = 0;
 /// Angle-weighted pseudonormals (Baerentzen & Aanaes 2005), for clean closed meshes.
 pub const EMB_SIGN_PSEUDONORMAL: i32 = 1;

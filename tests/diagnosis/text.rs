@@ -60,7 +60,7 @@ fn the_last_line_says_what_to_do() {
         ),
         (
             bodies::overlapping_spheres(1),
-            "to do: faces touch or pass through each other: EMB_SIGN_AUTO takes the sign from crossings, as EMB_SIGN_RAY does",
+            "to do: faces touch or pass through each other: EMB_SIGN_AUTO takes the sign near them from crossings",
         ),
         (
             bodies::cubes_sharing_an_edge(),

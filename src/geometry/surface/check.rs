@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Whether pseudonormals may decide the sign. They are right (Baerentzen & Aanaes 2005) where the surface
-//! is embedded: where triangles meet in shared edges and vertices only, and each connected piece has the
+//! Where pseudonormals may decide the sign. They are right (Baerentzen & Aanaes 2005) where the surface
+//! is embedded: where triangles meet in shared edges and vertices only, and each connected region has the
 //! outside on its outer and the inside on its inner side. Both are checked exactly when the geometry is
-//! built. That is stronger than comparing each vertex and edge pseudonormal with a crossing count, which
+//! built; near the triangles that fail, crossings decide. That is stronger than comparing each vertex and edge pseudonormal with a crossing count, which
 //! misses an edge that pokes through a face between two vertices, and needs fewer crossing counts: one a
-//! piece.
+//! region.
 
-use super::{NO_TRIANGLE, Sign, Surface, UNCLEAR};
+use super::{ALONE, Doubts, NO_TRIANGLE, Sign, Surface, UNCLEAR};
 use crate::bvh::Leaves;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::SignMethod;
@@ -14,7 +14,11 @@ use crate::geometry::contacts::Contacts;
 use crate::math::Vec3;
 use crate::mesh::{HalfEdges, Mesh, Sets};
 use crate::parallel::Run;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
+
+/// Where more pairs meet than this and one in so many triangles, crossings decide everywhere.
+const LEAST_MOST: usize = 64;
+const SHARE: usize = 32;
 
 impl Surface {
     /// Zeroes the pseudonormals that say nothing of the surface beyond them, and leaves those places to
@@ -49,7 +53,9 @@ impl Surface {
         }
     }
 
-    /// Hands the sign to the crossings where the surface is not embedded. `topology` is that of the triangles.
+    /// Hands the sign to the crossings where the surface is not embedded: near triangles that meet others, and near
+    /// regions between those that do not have the outside on one and the inside on the other side. `topology` is that
+    /// of the triangles.
     pub(super) fn check_embedding(
         &mut self,
         mesh: &Mesh,
@@ -57,30 +63,58 @@ impl Surface {
         asked: SignMethod,
         run: &Run,
     ) -> Result<()> {
-        let fault = match self.contact(mesh, topology, run)? {
-            Some([t, s]) => {
-                format!(
+        let most = if asked == SignMethod::Pseudonormal { 0 } else { LEAST_MOST + self.triangles.len() / SHARE };
+        let pairs = self.contacts(mesh, topology, most + 1, run)?;
+        if asked == SignMethod::Pseudonormal {
+            let fault = match pairs.first() {
+                Some(&[t, s]) => format!(
                     "faces {} and {} meet, but for rounding, where they share no edge or vertex",
                     self.face(t),
                     self.face(s)
-                )
-            }
-            None => match self.first_misplaced_piece()? {
-                Some(t) => format!("the piece of face {} lies inside another, or is inside out", self.face(t)),
-                None => return Ok(()),
-            },
-        };
-        if asked == SignMethod::Pseudonormal {
+                ),
+                None => match self.misplaced_regions(&Doubts::default())?.first() {
+                    Some(&t) => format!("the piece of face {} lies inside another, or is inside out", self.face(t)),
+                    None => return Ok(()),
+                },
+            };
             let message = format!("options.sign: PSEUDONORMAL is not right on this mesh: {fault}; use AUTO or RAY");
             return Err(Error::new(Status::Topology, message));
         }
-        self.sign = Sign::Crossings;
+        if pairs.len() > most {
+            self.sign = Sign::Crossings;
+            return Ok(());
+        }
+        let count = self.triangles.len();
+        let mut doubts = Doubts::default();
+        pairs.iter().flatten().try_for_each(|&t| doubts.add(t, count))?;
+        self.misplaced_regions(&doubts)?.into_iter().try_for_each(|t| doubts.add(t, count))?;
+        self.doubt(doubts);
         Ok(())
     }
 
-    /// A pair of triangles that meet where they should not: of all such pairs the same one in every run.
-    fn contact(&self, mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<Option<[u32; 2]>> {
-        let Some(tree) = &self.tree else { return Ok(None) };
+    /// Leaves what is nearest to doubtful triangles to the crossings.
+    fn doubt(&mut self, doubts: Doubts) {
+        let all = 0..self.triangles.len() as u32;
+        if all.clone().all(|t| doubts.has(t)) {
+            self.sign = Sign::Crossings;
+            return;
+        }
+        for t in all.filter(|&t| doubts.has(t)) {
+            for k in 0..3 {
+                self.vertex_normals[self.triangles[t as usize].vertex[k] as usize] = Vec3::ZERO;
+                let neighbour = std::mem::replace(&mut self.neighbours[t as usize][k], UNCLEAR);
+                if neighbour < UNCLEAR.min(ALONE) {
+                    let back = self.neighbours[neighbour as usize].iter_mut().filter(|n| **n == t);
+                    back.for_each(|n| *n = UNCLEAR);
+                }
+            }
+        }
+        self.doubts = doubts;
+    }
+
+    /// Pairs of triangles that meet where they should not, up to so many: of all such pairs the same ones in every run.
+    fn contacts(&self, mesh: &Mesh, topology: &HalfEdges, limit: usize, run: &Run) -> Result<Vec<[u32; 2]>> {
+        let Some(tree) = &self.tree else { return Ok(Vec::new()) };
         let contacts = Contacts::new(&self.vertices, mesh.triangles(), topology, self.rounding(), false)?;
         let mut order = try_with_capacity("triangles", self.triangles.len())?;
         let mut start = try_with_capacity("leaves", self.leaves.len() + 1)?;
@@ -89,7 +123,7 @@ impl Surface {
             order.extend(leaf.triangle.iter().filter(|t| **t != NO_TRIANGLE));
             start.push(order.len() as u32);
         }
-        Ok(contacts.find(tree, &Leaves { order, start }, 1, run)?.pairs.first().copied())
+        Ok(contacts.find(tree, &Leaves { order, start }, limit, run)?.pairs)
     }
 
     /// Walls thinner than this have one side to a point beside them: either of their faces may be the nearest.
@@ -97,19 +131,34 @@ impl Surface {
         16.0 * f64::EPSILON * self.diagonal
     }
 
-    /// The first triangle of the first connected piece whose two sides are not outside and inside.
-    fn first_misplaced_piece(&self) -> Result<Option<u32>> {
-        let mut pieces = Sets::new(self.vertices.len())?;
-        for t in &self.triangles {
-            pieces.join(t.vertex[0], t.vertex[1]);
-            pieces.join(t.vertex[0], t.vertex[2]);
+    /// The triangles of regions whose two sides are not outside and inside. A region is what hangs together by edges
+    /// between triangles that are not doubtful: as no others meet it, its sides are the same everywhere.
+    fn misplaced_regions(&self, doubts: &Doubts) -> Result<Vec<u32>> {
+        let all = 0..self.triangles.len() as u32;
+        let mut regions = Sets::new(self.triangles.len())?;
+        for t in all.clone().filter(|&t| !doubts.has(t)) {
+            for &s in &self.neighbours[t as usize] {
+                if s < t && !doubts.has(s) {
+                    regions.join(s, t);
+                }
+            }
         }
-        let mut seen = HashSet::new();
-        Ok((0..self.triangles.len() as u32).find(|&t| {
+        // What a triangle with a normal says of its region.
+        let mut is_right = HashMap::new();
+        for t in all.clone().filter(|&t| !doubts.has(t)) {
             let normal = self.normal(t);
-            let piece = pieces.find(self.triangles[t as usize].vertex[0]);
-            normal != Vec3::ZERO && seen.insert(piece) && !self.sides_are_right(t, normal)
-        }))
+            if normal != Vec3::ZERO {
+                is_right.entry(regions.find(t)).or_insert_with(|| self.sides_are_right(t, normal));
+            }
+        }
+        let mut misplaced = Vec::new();
+        for t in all.filter(|&t| !doubts.has(t)) {
+            if is_right.get(&regions.find(t)) == Some(&false) {
+                misplaced.try_reserve(1).map_err(|_| Error::memory("triangles", misplaced.len() + 1))?;
+                misplaced.push(t);
+            }
+        }
+        Ok(misplaced)
     }
 
     fn sides_are_right(&self, t: u32, normal: Vec3) -> bool {

@@ -14,8 +14,10 @@ pub(crate) use nearest::Nearest;
 pub(crate) use tile::Block;
 
 use crate::bvh::Tree;
+use crate::error::Result;
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
+use crate::mesh::filled;
 use crate::primitive::estimate::Estimates;
 use crate::primitive::overlap::are_apart;
 use crate::primitive::triangle::RELATIVE_ERROR;
@@ -73,8 +75,31 @@ pub(crate) struct Surface {
     bounds: Aabb,
     diagonal: f64,
     sign: Sign,
+    /// Triangles that pseudonormals do not decide the sign at.
+    doubts: Doubts,
     /// Winding number far away: 1 where an inside-out mesh was kept, else 0.
     far_winding: i32,
+}
+
+/// A set of triangles; no memory where it is empty.
+#[derive(Clone, Debug, Default)]
+struct Doubts {
+    bits: Vec<u64>,
+}
+
+impl Doubts {
+    fn add(&mut self, t: u32, of: usize) -> Result<()> {
+        if self.bits.is_empty() {
+            self.bits = filled("triangles", of.div_ceil(64), 0)?;
+        }
+        self.bits[t as usize / 64] |= 1 << (t % 64);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn has(&self, t: u32) -> bool {
+        self.bits.get(t as usize / 64).is_some_and(|bits| bits >> (t % 64) & 1 == 1)
+    }
 }
 
 /// How the sign is decided.
@@ -114,7 +139,9 @@ impl Surface {
 
     pub(crate) fn sign_method(&self) -> SignMethod {
         match self.sign {
-            Sign::Pseudonormal => SignMethod::Pseudonormal,
+            Sign::Pseudonormal if self.doubts.bits.is_empty() => SignMethod::Pseudonormal,
+            // Of both, what counts is the one that is right everywhere.
+            Sign::Pseudonormal => SignMethod::Ray,
             Sign::Crossings => SignMethod::Ray,
             Sign::Unsigned => SignMethod::None,
         }
@@ -141,12 +168,14 @@ impl Surface {
             + size_of_val(&self.normals[..])
             + size_of_val(&self.neighbours[..])
             + size_of_val(&self.vertex_normals[..])
+            + size_of_val(&self.doubts.bits[..])
     }
 
     /// Feeds the bits that define every answer to `add`.
     pub(crate) fn fingerprint(&self, add: &mut impl FnMut(u64)) {
         add(self.sign as u64);
         add(self.far_winding as u64);
+        self.doubts.bits.iter().for_each(|bits| add(*bits));
         for v in &self.vertices {
             v.to_array().iter().for_each(|c| add((c + 0.0).to_bits()));
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The sign: angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they decide clearly, exact
-//! crossings of a vertical line elsewhere. Both are right off the surface of a closed mesh that passes the
-//! check of `check.rs`, so it does not matter which one answered; on others crossings answer alone.
+//! crossings of a vertical line elsewhere. Both are right off the surface of a closed mesh where it passes the
+//! check of `check.rs`, so it does not matter which one answered; where it does not, crossings answer alone.
 
 use super::{ALONE, Nearest, Sign, Surface, UNCLEAR};
 use crate::math::{Aabb, Vec3, length, unit};
@@ -53,7 +53,7 @@ impl Surface {
             // Far away, rounding may choose any triangle as the nearest one.
             return Some(self.far_winding >= 1);
         }
-        if self.sign == Sign::Pseudonormal && self.is_clear(nearest) {
+        if self.sign == Sign::Pseudonormal && self.is_clear(nearest) && !self.doubts.has(nearest.triangle) {
             let (offset, normal) = (p - nearest.point, self.pseudonormal(nearest));
             let along = offset.dot(normal);
             if along.abs() > CLEAR_COSINE * length(offset) * length(normal) {

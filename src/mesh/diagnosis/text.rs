@@ -188,8 +188,11 @@ impl Diagnosis {
         let mut parts = Vec::new();
         parts.extend(if balanced { self.advice_on_orientation() } else { Some(self.advice_for_open()) });
         if balanced && (crosses || self.surface.nonmanifold_edges > 0) {
-            let why = if crosses { "faces touch or pass through each other" } else { "edges have more than two faces" };
-            parts.push(format!("{why}: EMB_SIGN_AUTO takes the sign from crossings, as EMB_SIGN_RAY does"));
+            parts.push(String::from(if crosses {
+                "faces touch or pass through each other: EMB_SIGN_AUTO takes the sign near them from crossings"
+            } else {
+                "edges have more than two faces: EMB_SIGN_AUTO takes the sign from crossings, as EMB_SIGN_RAY does"
+            }));
         }
         if balanced && !self.duplicates.is_empty() {
             let repeat = if self.duplicates.len() == 1 { "repeats another" } else { "repeat others" };
