@@ -949,7 +949,8 @@ emb_status emb_mesh_from_polygons(size_t vertex_count,
                                   emb_mesh **out_mesh);
 
 // Writes the mesh as it stands, oriented; the format is chosen by the extension of `path`, in any case:
-// ".stl" (binary: triangles in float), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
+// ".stl" (binary: triangles in float, which makes vertices one that are nearer to each other than 1e-7 of their
+// coordinates: shift a mesh that is far from the origin back first), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
 // All but STL hold polygons, coordinates to the bit, tags and their names; PLY, VTK and VTP all named data, OBJ of
 // them the vertices' red, green and blue alone. Faces are numbered anew where the mesh lost some. The file appears
 // under its name when it is complete. Vertices that stand apart at one position, as EMB_REPAIR_SPLIT leaves them, are
@@ -987,6 +988,12 @@ size_t emb_mesh_triangle_count(const emb_mesh *mesh);
 // faces one way as the other. 0: it is open or disagrees with itself, and for NULL. O(1): known since the mesh was made.
 int32_t emb_mesh_has_inside(const emb_mesh *mesh);
 
+// 1: orientation turned the input face over when the mesh was made. Its corners then stand the other way round in
+// emb_mesh_triangles and the half-edges, corners 1 and 2 of a triangle exchanged; what emb_geom_closest says of corners
+// (barycentric, feature) is of those given. 0: it did not, the face has no triangle left, or is beyond the last,
+// and for NULL. O(log n). Any thread.
+int32_t emb_mesh_face_is_turned(const emb_mesh *mesh, int64_t face);
+
 // Half-edges: corners of all faces as they stand; 0 for NULL. O(1).
 size_t emb_mesh_half_edge_count(const emb_mesh *mesh);
 
@@ -997,8 +1004,8 @@ size_t emb_mesh_half_edge_count(const emb_mesh *mesh);
 emb_status emb_mesh_vertices(const emb_mesh *mesh, size_t first, size_t count, double *out_xyz);
 
 // Copies the triangles first .. first + count - 1: out_vertices takes 3 * count vertices, counter-clockwise seen from
-// outside, out_faces the input face of each; either may be NULL. Triangles are ordered by input face, those of one
-// face together. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last triangle). Any thread.
+// outside (not as given where emb_mesh_face_is_turned), out_faces the input face of each; either may be NULL.
+// Triangles are ordered by input face, those of one face together. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last triangle). Any thread.
 emb_status emb_mesh_triangles(const emb_mesh *mesh,
                               size_t first,
                               size_t count,

@@ -91,7 +91,7 @@ struct Closest {
     std::vector<double> value;           ///< Signed distance.
     std::vector<Point> point;            ///< The nearest point of the part that decides the value.
     std::vector<Point> gradient;         ///< Of the value; of length 1 where it is exact.
-    std::vector<Point> barycentric;      ///< Of the nearest point, for the triangle's corners as given.
+    std::vector<Point> barycentric;      ///< Of the nearest point, for the triangle's corners as given; see Mesh::is_turned.
     std::vector<std::int64_t> primitive; ///< Index of the input face.
     std::vector<std::int32_t> part;      ///< The body's label, -1: none.
     std::vector<std::int32_t> tag;       ///< The face's tag.

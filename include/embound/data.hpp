@@ -114,8 +114,13 @@ namespace detail {
 inline void require_field(const Mesh &mesh, const Field &field) {
     emb_mesh_field c{};
     c.struct_size = sizeof c;
-    std::size_t size = 0;
-    check(emb_mesh_field_get(mesh.get(), static_cast<std::int32_t>(field.on), field.index, &c, 0, nullptr, &size));
+    const std::string name = text([&](std::size_t capacity, char *out, std::size_t *size) {
+        return emb_mesh_field_get(mesh.get(), static_cast<std::int32_t>(field.on), field.index, &c, capacity, out, size);
+    });
+    if (field.name != name) {
+        throw Error(EMB_ERROR_INVALID_ARGUMENT,
+                    "field: \"" + field.name + "\" is of another mesh; in its place this one has \"" + name + "\"");
+    }
     if (c.components != field.components) {
         throw Error(EMB_ERROR_INVALID_ARGUMENT, "field: \"" + field.name + "\" has " + std::to_string(field.components) +
                                                     " components, the data of this mesh " + std::to_string(c.components));

@@ -190,7 +190,12 @@ public:
         return positions;
     }
 
-    /// The vertices of all triangles, three each, counter-clockwise seen from outside.
+    /// Whether orientation turned an input face over: triangles() and half-edges then have its corners the other way
+    /// round, corners 1 and 2 of a triangle exchanged, while barycentric and feature of a closest point are of the
+    /// corners given.
+    bool is_turned(std::int64_t face) const noexcept { return emb_mesh_face_is_turned(get(), face) != 0; }
+
+    /// The vertices of all triangles, three each, counter-clockwise seen from outside: not as given where is_turned().
     std::vector<std::uint32_t> triangles() const {
         std::vector<std::uint32_t> corners = detail::vector_of<std::uint32_t>(3 * triangle_count());
         check(emb_mesh_triangles(get(), 0, triangle_count(), corners.data(), nullptr));

@@ -366,7 +366,8 @@ fn check_offsets(offsets: &[usize]) -> Result<()> {
 }
 
 /// Writes the mesh as it stands, oriented; the format is chosen by the extension of `path`, in any case:
-/// ".stl" (binary: triangles in float), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
+/// ".stl" (binary: triangles in float, which makes vertices one that are nearer to each other than 1e-7 of their
+/// coordinates: shift a mesh that is far from the origin back first), ".ply" (binary), ".obj", ".vtk" (legacy, binary) or ".vtp" (XML, appended bytes).
 /// All but STL hold polygons, coordinates to the bit, tags and their names; PLY, VTK and VTP all named data, OBJ of
 /// them the vertices' red, green and blue alone. Faces are numbered anew where the mesh lost some. The file appears
 /// under its name when it is complete. Vertices that stand apart at one position, as EMB_REPAIR_SPLIT leaves them, are

@@ -86,6 +86,21 @@ pub unsafe extern "C" fn emb_mesh_has_inside(mesh: *const emb_mesh) -> i32 {
     unsafe { ask(mesh, 0, |m| Some(i32::from(m.surface().unbalanced_edges == 0))) }
 }
 
+/// 1: orientation turned the input face over when the mesh was made. Its corners then stand the other way round in
+/// emb_mesh_triangles and the half-edges, corners 1 and 2 of a triangle exchanged; what emb_geom_closest says of corners
+/// (barycentric, feature) is of those given. 0: it did not, the face has no triangle left, or is beyond the last,
+/// and for NULL. O(log n). Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_mesh_face_is_turned(mesh: *const emb_mesh, face: i64) -> i32 {
+    let is_turned = |m: &Mesh| {
+        let triangles = m.triangles();
+        let first = triangles.partition_point(|t| i64::from(t.face) < face);
+        triangles.get(first).is_some_and(|t| i64::from(t.face) == face && t.turned)
+    };
+    // SAFETY: a handle or NULL, as the header asks.
+    unsafe { ask(mesh, 0, |m| Some(i32::from(is_turned(m)))) }
+}
+
 /// Half-edges: corners of all faces as they stand; 0 for NULL. O(1).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_half_edge_count(mesh: *const emb_mesh) -> usize {
@@ -115,8 +130,8 @@ pub unsafe extern "C" fn emb_mesh_vertices(
 }
 
 /// Copies the triangles first .. first + count - 1: out_vertices takes 3 * count vertices, counter-clockwise seen from
-/// outside, out_faces the input face of each; either may be NULL. Triangles are ordered by input face, those of one
-/// face together. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last triangle). Any thread.
+/// outside (not as given where emb_mesh_face_is_turned), out_faces the input face of each; either may be NULL.
+/// Triangles are ordered by input face, those of one face together. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (beyond the last triangle). Any thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_triangles(
     mesh: *const emb_mesh,

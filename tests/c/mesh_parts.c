@@ -239,6 +239,8 @@ static void a_mesh_is_moved_and_turned_over_with_its_data(void) {
   CHECK_OK(emb_mesh_transform(flipped, &options, &back));
   CHECK(same(back, cube));
   emb_mesh_free(back);
+  CHECK(emb_mesh_face_is_turned(flipped, 0) == 1 && emb_mesh_face_is_turned(cube, 0) == 0);
+  CHECK(emb_mesh_face_is_turned(flipped, 1000) == 0 && emb_mesh_face_is_turned(flipped, -1) == 0);
   CHECK_OK(emb_mesh_transform(flipped, NULL, &back)); /* inward still: the defaults turn nothing */
   CHECK(same(back, flipped));
   emb_mesh_free(back);

@@ -347,6 +347,7 @@ static void getters_cannot_fail(void) {
   emb_geom_sphere(NULL, 1.0, NULL);
   snprintf(before, sizeof before, "%s", emb_last_error());
   CHECK(emb_mesh_vertex_count(NULL) == 0 && emb_mesh_face_count(NULL) == 0);
+  CHECK(emb_mesh_face_is_turned(NULL, 0) == 0);
   CHECK(emb_mesh_has_inside(NULL) == 0 && emb_mesh_triangle_count(NULL) == 0 && emb_mesh_half_edge_count(NULL) == 0);
   for (i = 0; i < 4; i++) {
     const emb_mesh *m = i == 3 ? NULL : mesh;

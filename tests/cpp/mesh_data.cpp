@@ -128,6 +128,10 @@ TEST(vertices_triangles_and_tags_come_as_vectors) {
 
 TEST(fields_are_told_and_interpolated) {
     const embound::Mesh mesh = with_fields(cube());
+    const std::vector<double> others(8, 1.0);
+    const embound::Mesh other = embound::with_field(cube(), embound::On::Vertices, "other", others);
+    CHECK(check::status_of([&] { embound::values(other, embound::field(mesh, embound::On::Vertices, "linear")); }, "\"other\"") ==
+          EMB_ERROR_INVALID_ARGUMENT);
     const embound::Field linear = embound::field(mesh, embound::On::Vertices, "linear");
     const embound::Field number = embound::field(mesh, embound::On::Faces, "number");
     CHECK(linear.components == 2 && linear.count == 8 && number.components == 1 && number.count == 6);

@@ -62,7 +62,7 @@ fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
         return Err(Error::new(
             Status::Topology,
             format!(
-                "mesh: it has no inside: {} boundary edges, {} non-manifold edges and {} inconsistent edges as read, {} edges after orientation that do not have as many faces one way as the other; repair it (emb_mesh_repair; hole_length says how long a rim it fills), read it with EMB_ORIENT_AUTO, raise weld_tolerance if vertices nearly coincide, or take sign EMB_SIGN_NONE (5) for the unsigned distance",
+                "mesh: it has no inside: {} boundary edges, {} non-manifold edges and {} inconsistent edges as read, {} edges after orientation that do not have as many faces one way as the other; repair it (emb_mesh_repair; emb_mesh_diagnose tells what is needed, such as the hole_length of each rim), or take sign EMB_SIGN_NONE (5) for the unsigned distance",
                 report.boundary_edges, report.nonmanifold_edges, report.inconsistent_edges, surface.unbalanced_edges
             ),
         ));
