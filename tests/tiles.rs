@@ -132,6 +132,29 @@ fn scale_and_place_change_nothing_of_that() {
         let g = geometry(&body, SignMethod::Auto, Accelerator::Auto);
         assert_same_bits(&g, &around(&body, [24, 17, 20], 1.2));
     }
+    // Coordinates so large beside the body that nearest points are rounded onto points of the lattice.
+    for far in [3e9, 1e10, 1e11, 1e12, 1e13] {
+        let body = bodies::icosphere(2).translated([far, -0.5 * far, 0.3 * far]);
+        let g = Geometry::from_mesh(
+            &body.mesh_kept(),
+            &SdfOptions { sign: SignMethod::None, ..SdfOptions::default() },
+            &Run::SERIAL,
+        );
+        let g = g.unwrap();
+        for ulps in [1.0, 7.0, 1000.0] {
+            let ulp = f64::EPSILON * far;
+            let at = |c: f64, off: f64| axis(9, c + off - 4.0 * ulps * ulp, c + off + 4.0 * ulps * ulp);
+            assert_same_bits(&g, &[at(far, 0.4), at(-0.5 * far, 0.3), at(0.3 * far, 0.7)]);
+        }
+        assert_same_bits(&g, &around(&body, [17, 16, 15], 1.2));
+    }
+    let o = 2f64.powi(35);
+    let corner = Soup {
+        vertices: vec![[o, o, o], [o + 1.0, o, o], [o, o + 1.0, o], [o, o, o + 1.0]],
+        triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+    };
+    let g = Geometry::from_mesh(&corner.mesh_kept(), &SdfOptions::default(), &Run::SERIAL).unwrap();
+    assert_same_bits(&g, &[vec![o + 0.25], vec![o + 0.25], vec![o + 0.5 + f64::EPSILON * o; 3]]);
     // A speck on a large plate: its triangles are far below the error of an estimate.
     let mixed = bodies::cuboid([-1.0; 3], [1.0; 3]).and(&bodies::icosphere(2).scaled(1e-8).translated([3.0, 0.0, 0.0]));
     let g = geometry(&mixed, SignMethod::Auto, Accelerator::Auto);

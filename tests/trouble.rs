@@ -67,6 +67,13 @@ fn trouble_changes_no_bit() {
                     [0, 1, 2].map(|k| 0.5 * (lo[k] + hi[k]) + q[k])
                 }));
             }
+            // Where squares of f32 become infinite.
+            points.extend((0..200).map(|k| {
+                let q = random.point([-1.0; 3], [1.0; 3]);
+                let length = q.iter().map(|c| c * c).sum::<f64>().sqrt();
+                let scale = 2f64.powi((size.log2() + 2.0).floor() as i32) * f32::MAX.sqrt() as f64;
+                q.map(|c| c / length * scale * [0.25, 0.5, 1.0, 2.0][k % 4] * (1.0 + 3e-7 * (random.unit() - 0.5)))
+            }));
             points.extend([[1e300, 0.0, 0.0], [-1e300, 1e300, 1e-300], [0.0; 3], [f64::MAX, 0.0, 0.0]]);
             for p in points.into_iter().map(Vec3::from_array) {
                 let (a, b) = (fast.closest(p), slow.closest(p));

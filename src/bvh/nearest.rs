@@ -145,7 +145,8 @@ impl<const STACK: usize> Descent<STACK> {
         let limit = |distance: f32| {
             // Minus infinity, where nothing is of interest any more, has no key.
             let distance = if distance > -1e15 { distance } else { -1e15 } + slack;
-            let key = distance * distance.abs();
+            // Where squares of what is as far may be infinite, nothing is known.
+            let key = if distance < 1.8e19 { distance * distance.abs() } else { f32::INFINITY };
             // The box's square is off by five roundings and by fourteen for the lane in its key, the limit's by seven: 1.6e-6.
             order((key + key.abs() * 3e-6).to_bits() as i32) | LANE
         };

@@ -43,8 +43,8 @@ pub(crate) struct Corners {
 }
 
 impl Corners {
-    /// Of corners and witnesses as the tree places them.
-    pub(crate) fn new(corners: [Vec3; WIDTH], witnesses: [Vec3; WITNESSES]) -> Corners {
+    /// Of corners and witnesses as the tree places them; witnesses are off the surface by up to `error`.
+    pub(crate) fn new(corners: [Vec3; WIDTH], witnesses: [Vec3; WITNESSES], error: f64) -> Corners {
         let mut all = Corners {
             at: corners.map(|c| [c.x as f32, c.y as f32, c.z as f32]),
             slack: corners.map(|c| slack(c.abs().max_element())),
@@ -53,7 +53,7 @@ impl Corners {
         for (j, witness) in witnesses.into_iter().enumerate() {
             for (k, corner) in corners.into_iter().enumerate() {
                 // Beside a rounding of an f32 those of the f64 before it are nothing.
-                all.reach[j][k] = ((corner - witness).length() * (1.0 + f64::from(f32::EPSILON))) as f32;
+                all.reach[j][k] = ((corner - witness).length() * (1.0 + f64::from(f32::EPSILON)) + error) as f32;
             }
         }
         all

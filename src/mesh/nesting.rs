@@ -108,7 +108,10 @@ fn inside(vertices: &[Vec3], grouped: &Grouped, outer: u32, candidates: Vec<u32>
 /// Corners first, then the middles of triangles, spread over the shell.
 fn witness(vertices: &[Vec3], triangles: &[[u32; 3]], attempt: usize) -> Vec3 {
     let half = WITNESSES / 2;
-    let corners = triangles[attempt % half * triangles.len() / half].map(|v| vertices[v as usize]);
+    // The same point of a triangle whichever way it is turned.
+    let mut triangle = triangles[attempt % half * triangles.len() / half];
+    triangle.sort_unstable();
+    let corners = triangle.map(|v| vertices[v as usize]);
     if attempt < half { corners[attempt % 3] } else { (corners[0] + corners[1] + corners[2]) / 3.0 }
 }
 

@@ -9,8 +9,8 @@
 //! The error, for a point at distance d from a triangle with longest edge b, in roundings of f32: 2.5 (1 + the largest
 //! coordinate) for the point's and the corner's own; 9 (d + b) for the turn into the frame, 1.5 b for the corners
 //! there; 7 d + 14 b for the point of an edge, 6 d + 12 b for a point that is inside or not (the foot is over the
-//! longest edge, so what is mistaken for inside is near the other edges, not beyond a tip), 3 d for squares and root:
-//! 25 d + 36.5 b.
+//! longest edge, so what is mistaken for inside is near the other edges, not beyond a tip), 3 d for squares and root; 8.5 b
+//! where a triangle is so thin that its frame lies any way round its longest edge: 25 d + 45 b.
 
 use crate::math::{Vec3, length, unit};
 use crate::simd::float8::{Float8, Simd};
@@ -18,7 +18,10 @@ use crate::simd::lanes::{F32x8, WIDTH};
 
 /// Bound on the error but for what rounding the points adds, relative to the distance plus the longest edge; see
 /// above.
-const ERROR: f32 = 40.0 * f32::EPSILON / 2.0;
+const ERROR: f32 = 48.0 * f32::EPSILON / 2.0;
+
+/// Squares of what is farther may be infinite; then no more is known.
+const FARTHEST: f32 = 1.8e19;
 
 /// Where unused lanes are.
 const FAR: f32 = 1e30;
@@ -99,6 +102,8 @@ impl Estimates {
         let constant = load(simd, &self.b).mul(S::Float::splat(simd, ERROR)).add(S::Float::splat(simd, slack));
         // (No difference of infinities, where a lane is unused.)
         let lower = distance.mul(S::Float::splat(simd, 1.0 - ERROR)).sub(constant);
+        // (What is no number stays so.)
+        let lower = S::Float::splat(simd, FARTHEST).min(lower);
         [lower, distance.mul(S::Float::splat(simd, 1.0 + ERROR)).add(constant)]
     }
 

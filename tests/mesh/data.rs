@@ -97,7 +97,10 @@ fn welded(xyz: &[Vec3], offsets: &[usize], indices: &[u32], values: Vec<f64>, or
     let apart = options(|o| (o.weld_tolerance, o.orient) = (-1.0, Orient::Keep));
     let mesh = Mesh::from_polygons(&xyz, offsets, indices, None, &apart).unwrap();
     let field = Field { name: "own".into(), kind: FieldType::F64, components: 1, values };
-    mesh.with_field(false, field).unwrap().rebuilt(&options(|o| o.orient = orient)).unwrap()
+    mesh.with_field(false, field)
+        .unwrap()
+        .rebuilt(&options(|o| (o.orient, o.weld_tolerance) = (orient, 1e-12)))
+        .unwrap()
 }
 
 /// The same of triangles of vertices of their own.

@@ -6,7 +6,7 @@
 //! misses an edge that pokes through a face between two vertices, and needs fewer crossing counts: one a
 //! region.
 
-use super::{ALONE, Doubts, NO_TRIANGLE, Sign, Surface, UNCLEAR};
+use super::{Doubts, NO_TRIANGLE, Sign, Surface, UNCLEAR};
 use crate::bvh::Leaves;
 use crate::error::{Error, Result, Status, try_with_capacity};
 use crate::geometry::SignMethod;
@@ -103,7 +103,7 @@ impl Surface {
             for k in 0..3 {
                 self.vertex_normals[self.triangles[t as usize].vertex[k] as usize] = Vec3::ZERO;
                 let neighbour = std::mem::replace(&mut self.neighbours[t as usize][k], UNCLEAR);
-                if neighbour < UNCLEAR.min(ALONE) {
+                if neighbour < UNCLEAR {
                     let back = self.neighbours[neighbour as usize].iter_mut().filter(|n| **n == t);
                     back.for_each(|n| *n = UNCLEAR);
                 }

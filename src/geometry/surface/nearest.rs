@@ -140,7 +140,7 @@ pub(super) struct Waiting<'a> {
     triangles: [u32; WAITING],
     count: usize,
     /// Of those that do not wait any more.
-    pub(super) best: Best,
+    best: Best,
 }
 
 impl<'a> Waiting<'a> {
@@ -216,6 +216,14 @@ impl<'a> Waiting<'a> {
     #[inline(always)]
     pub(super) fn settle<S: Simd>(&mut self, simd: S) {
         simd.apart(Settle(self));
+    }
+
+    /// What was found; of nothing, as where coordinates leave no room for a choice, what the hierarchy finds.
+    pub(super) fn nearest(&self) -> Nearest {
+        match self.best.triangle {
+            NO_TRIANGLE => self.surface.nearest(self.p),
+            _ => self.surface.at(self.p, self.best),
+        }
     }
 
     #[inline(always)]

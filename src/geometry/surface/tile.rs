@@ -163,7 +163,7 @@ impl Kernel for Work<'_, '_> {
         let at = cube.corners();
         let is_near = |c: [usize; 3]| tree.place(block.point(c)).abs().max_element() < FARTHEST;
         let nearest = at.map(|c| surface.nearest(block.point(c)));
-        let corners = corners(tree, at.map(|c| block.point(c)), &nearest);
+        let corners = corners(surface, tree, at.map(|c| block.point(c)), &nearest);
         let Scratch { stack, large, .. } = self.scratch;
         if !(at.into_iter().all(is_near) && tree.surviving_leaves(simd, &corners, MOST_LEAVES, stack, large)?) {
             return surface.one_by_one(block, cube, self.columns, self.out);
@@ -202,7 +202,7 @@ impl<S: Simd> Eight<S> for Leaf {
 impl Work<'_, '_> {
     #[inline(always)]
     fn small<S: Simd>(&mut self, simd: S, cube: &Cube) -> Result<()> {
-        let Work { tree, block, .. } = *self;
+        let Work { surface, tree, block, .. } = *self;
         let at = cube.corners();
         let mut nearest = [Nearest::NONE; WIDTH];
         for (k, c) in at.into_iter().enumerate() {
@@ -213,7 +213,7 @@ impl Work<'_, '_> {
             };
             self.out[block.place(c)] = self.columns.signed(c, block.point(c), &nearest[k])?;
         }
-        let corners = corners(tree, at.map(|c| block.point(c)), &nearest);
+        let corners = corners(surface, tree, at.map(|c| block.point(c)), &nearest);
         let Scratch { large, small, .. } = self.scratch;
         small.sift(simd, large, &corners)?;
         let of_few = self.gather(simd, &corners)?;
@@ -229,6 +229,9 @@ impl Work<'_, '_> {
     #[inline(always)]
     fn by_leaves<S: Simd>(&mut self, simd: S, p: Vec3) -> Result<Nearest> {
         let Scratch { large, distances, .. } = self.scratch;
+        if large.len() == 0 {
+            return Ok(self.surface.nearest(p));
+        }
         let placed = self.tree.place(p);
         let at = [placed.x as f32, placed.y as f32, placed.z as f32];
         let slack = slack(placed.abs().max_element());
@@ -243,7 +246,7 @@ impl Work<'_, '_> {
             }
         }
         waiting.settle_all(simd);
-        Ok(self.surface.at(p, waiting.best))
+        Ok(waiting.nearest())
     }
 
     /// Lays the triangles that may be nearest in the small cube side by side; false where there are too many.
@@ -307,13 +310,13 @@ impl Work<'_, '_> {
             }
         }
         waiting.settle(simd);
-        Ok(self.surface.at(p, waiting.best))
+        Ok(waiting.nearest())
     }
 }
 
 /// The corners of a cube with, as witnesses, their nearest points.
 #[inline(always)]
-fn corners(tree: &Tree, at: [Vec3; WIDTH], nearest: &[Nearest; WIDTH]) -> Corners {
+fn corners(surface: &Surface, tree: &Tree, at: [Vec3; WIDTH], nearest: &[Nearest; WIDTH]) -> Corners {
     // Opposite corners first; as long as there are others, none on a triangle that another is on.
     let mut chosen = [0; WITNESSES];
     let mut count = 1;
@@ -324,5 +327,8 @@ fn corners(tree: &Tree, at: [Vec3; WIDTH], nearest: &[Nearest; WIDTH]) -> Corner
         }
     }
     let witnesses = chosen.map(|k| tree.place(nearest[k].point));
-    Corners::new(at.map(|c| tree.place(c)), witnesses)
+    // Nearest points are rounded to their coordinates, which are large where the surface is far from the origin.
+    let largest = at.iter().fold(surface.reach(), |most, c| most.max(c.abs().max_element()));
+    let error = f64::from(tree.scaled(16.0 * f64::EPSILON * largest));
+    Corners::new(at.map(|c| tree.place(c)), witnesses, error)
 }
