@@ -1159,7 +1159,9 @@ emb_status emb_mesh_with_field(const emb_mesh *mesh,
 // three corners. Data of vertices are interpolated linearly, data of faces are the face's. out_values takes `components`
 // numbers a point; NaN where primitive is -1 or no face of the mesh. A number of a face says nothing of its mesh: in a
 // composite geometry `mesh` must be the one that the closest part was made of, else the values are those of another
-// place, with no error. Ask each mesh for the points that are its own, by the parts of emb_geom_part. Any thread.
+// place, with no error. Ask each mesh for the points that are its own, by the parts of emb_geom_part. Where a face comes
+// to one place more than once, each of its corners there lies between two lobes of the face, and either lobe may take
+// the value of either. Any thread.
 // Errors: EMB_ERROR_NULL_ARGUMENT (barycentric may be NULL for EMB_ON_FACES), EMB_ERROR_INVALID_ARGUMENT (on, k, stride
 // 0), EMB_ERROR_CANCELLED. Cost: linear.
 emb_status emb_mesh_interpolate(const emb_mesh *mesh,
