@@ -193,7 +193,7 @@ fn parts_shared_many_times_over_are_counted_at_once() {
     }
     let properties = g.properties();
     assert_eq!(properties.primitives, u64::MAX);
-    assert!(properties.bytes < 100_000);
+    assert!(properties.bytes < 100_000, "{}", properties.bytes);
     assert_ne!(g.fingerprint(), sphere().fingerprint());
 }
 

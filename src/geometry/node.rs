@@ -19,7 +19,7 @@ pub(super) enum Node {
     /// The commonest leaf, by the million: without an allocation of its own.
     Sphere(Sphere),
     Shape(Box<dyn Shape>),
-    Surface(Surface),
+    Surface(Box<Surface>),
     Function {
         function: Arc<dyn Function>,
         options: FunctionOptions,

@@ -42,7 +42,7 @@ impl Geometry {
     /// inconsistent mesh is [`crate::Status::Topology`] unless the sign is
     /// [`crate::geometry::SignMethod::None`]. O(n log n).
     pub fn from_mesh(mesh: &Mesh, options: &SdfOptions, run: &Run) -> Result<Geometry> {
-        Geometry::new(Node::Surface(Surface::new(mesh, options, run)?))
+        Geometry::new(Node::Surface(Box::new(Surface::new(mesh, options, run)?)))
     }
 
     /// A ball. The radius is finite and > 0.

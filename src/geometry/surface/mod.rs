@@ -161,7 +161,8 @@ impl Surface {
     }
 
     pub(crate) fn bytes(&self) -> usize {
-        size_of_val(&self.leaves[..])
+        size_of_val(self)
+            + size_of_val(&self.leaves[..])
             + self.tree.as_ref().map_or(0, Tree::bytes)
             + size_of_val(&self.vertices[..])
             + size_of_val(&self.triangles[..])
