@@ -5,16 +5,18 @@
 
 mod build;
 mod nearest;
+mod oriented;
 mod overlap;
 mod pairs;
 mod witness;
 
-pub(crate) use nearest::{GROUP, LeafDistance, nearest, nearest_for_group};
+pub(crate) use nearest::{Around, GROUP, LeafDistance, Signed, nearest, nearest_for_group};
 pub(crate) use pairs::{ALONE, Pairs};
 pub(crate) use witness::{Corners, Eight, LeafList, WITNESSES};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};
 use crate::simd::lanes::WIDTH;
+use oriented::Oriented;
 
 /// Most primitives of a leaf.
 pub(crate) const LEAF_SIZE: usize = 8;
@@ -25,7 +27,7 @@ const LEAF: u32 = 1 << 31;
 /// Eight boxes side by side. An unused child has an empty box and is never reached.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
-struct Node {
+pub(crate) struct Node {
     lo: [[f32; WIDTH]; 3],
     hi: [[f32; WIDTH]; 3],
     child: [u32; WIDTH],
@@ -39,6 +41,8 @@ const EMPTY_NODE: Node =
 pub(crate) struct Tree {
     /// Node 0 is the root; children come after their parent.
     nodes: Vec<Node>,
+    /// For each, the same turned to fit, where they were asked for.
+    oriented: Vec<Oriented>,
     /// Middle of all boxes; everything in `nodes` is relative to it.
     center: Vec3,
     /// A power of two that brings everything in `nodes` to a size of about one, so that f32 neither overflows
@@ -78,7 +82,7 @@ impl Tree {
 
     /// Memory of the arrays.
     pub(crate) fn bytes(&self) -> usize {
-        self.nodes.len() * size_of::<Node>()
+        size_of_val(&self.nodes[..]) + size_of_val(&self.oriented[..])
     }
 }
 

@@ -12,7 +12,7 @@ mod rounding;
 
 pub use aabb::Aabb;
 pub use double_double::{cross_of_differences, volume_of_differences};
-pub use glam::{DMat3 as Mat3, DVec3 as Vec3};
+pub use glam::{DMat3 as Mat3, DVec3 as Vec3, Vec3Swizzles as Swizzles};
 pub use interval::Interval;
 pub use interval_functions::power;
 pub use rounding::{f32_above, f32_below, f32_same_sign, positive_zero};

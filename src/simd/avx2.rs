@@ -6,11 +6,11 @@ use super::float8::{Float8, Keys8, LANE, Simd};
 use super::lanes::WIDTH;
 use std::arch::x86_64::*;
 
-/// The processor has AVX2. Made here alone.
+/// The processor has AVX2, BMI1 and POPCNT. Made here alone.
 #[derive(Clone, Copy)]
 pub(crate) struct Avx2(());
 
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,bmi1,popcnt")]
 #[inline(never)]
 pub(super) fn run<K: Kernel>(kernel: K) -> K::Output {
     kernel.run(Avx2(()))
@@ -89,6 +89,12 @@ impl<S: HasAvx2> Float8<S> for Floats {
     fn sqrt(self) -> Floats {
         // SAFETY: see above.
         Floats(unsafe { _mm256_sqrt_ps(self.0) })
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
     }
 
     #[inline(always)]
@@ -173,10 +179,43 @@ impl Keys8 for Keys {
     }
 
     #[inline(always)]
-    fn lanes(self) -> [i32; WIDTH] {
-        let mut lanes = [0; WIDTH];
+    fn others(self, lanes: u32, child: &[u32; WIDTH], keys: &mut [i32; WIDTH], children: &mut [u32; WIDTH]) -> usize {
+        let count = lanes.count_ones() as i32 - 1;
         // SAFETY: room for eight; the operand is there.
-        unsafe { _mm256_storeu_si256(lanes.as_mut_ptr().cast(), self.0) };
-        lanes
+        unsafe {
+            // Rising; then the second comes to the place before `count`, and so on.
+            let rising = sorted(self.0);
+            let places = _mm256_sub_epi32(_mm256_set1_epi32(count), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+            let falling = _mm256_permutevar8x32_epi32(rising, places);
+            // The last bits of a key say whose it is; a permutation looks at no others.
+            let child = _mm256_permutevar8x32_epi32(_mm256_loadu_si256(child.as_ptr().cast()), falling);
+            _mm256_storeu_si256(keys.as_mut_ptr().cast(), falling);
+            _mm256_storeu_si256(children.as_mut_ptr().cast(), child);
+        }
+        count as usize
+    }
+}
+
+/// Rising, by Batcher's network.
+///
+/// # Safety
+/// The processor has AVX2.
+#[inline(always)]
+unsafe fn sorted(keys: __m256i) -> __m256i {
+    macro_rules! step {
+        ($keys:expr, $other:expr, $greater:literal) => {{
+            let (keys, other) = ($keys, $other);
+            _mm256_blend_epi32::<$greater>(_mm256_min_epi32(keys, other), _mm256_max_epi32(keys, other))
+        }};
+    }
+    // SAFETY: the caller's promise.
+    unsafe {
+        let keys = step!(keys, _mm256_shuffle_epi32::<0b10_11_00_01>(keys), 0b1010_1010);
+        let keys = step!(keys, _mm256_shuffle_epi32::<0b00_01_10_11>(keys), 0b1100_1100);
+        let keys = step!(keys, _mm256_shuffle_epi32::<0b10_11_00_01>(keys), 0b1010_1010);
+        let turned = _mm256_permute4x64_epi64::<0b01_00_11_10>(_mm256_shuffle_epi32::<0b00_01_10_11>(keys));
+        let keys = step!(keys, turned, 0b1111_0000);
+        let keys = step!(keys, _mm256_shuffle_epi32::<0b01_00_11_10>(keys), 0b1100_1100);
+        step!(keys, _mm256_shuffle_epi32::<0b10_11_00_01>(keys), 0b1010_1010)
     }
 }

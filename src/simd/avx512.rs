@@ -9,7 +9,7 @@ use super::float8::Simd;
 #[derive(Clone, Copy)]
 pub(crate) struct Avx512(());
 
-#[target_feature(enable = "avx2,avx512f,avx512dq,avx512vl")]
+#[target_feature(enable = "avx2,bmi1,popcnt,avx512f,avx512dq,avx512vl")]
 #[inline(never)]
 pub(super) fn run<K: Kernel>(kernel: K) -> K::Output {
     kernel.run(Avx512(()))

@@ -36,6 +36,7 @@ pub(crate) trait Float8<S>: Copy {
     /// The lesser; the second where one is NaN.
     fn min(self, other: Self) -> Self;
     fn sqrt(self) -> Self;
+    fn abs(self) -> Self;
     /// Zero in the lanes where `other` is positive.
     fn zero_where_positive(self, other: Self) -> Self;
     /// The least lane; NaN where there is one at an unlucky place.
@@ -54,7 +55,9 @@ pub(crate) trait Float8<S>: Copy {
 pub(crate) trait Keys8: Copy {
     fn at_most(self, limit: i32) -> u32;
     fn least(self) -> i32;
-    fn lanes(self) -> [i32; WIDTH];
+    /// Of keys, as [`Float8::keys`] makes them, those in `lanes`, of which there is one at least, but for the least: writes
+    /// them in falling order, with their children; how many. The rest of `keys` and `children` is left in any state.
+    fn others(self, lanes: u32, child: &[u32; WIDTH], keys: &mut [i32; WIDTH], children: &mut [u32; WIDTH]) -> usize;
 }
 
 /// The last bits of a key, which hold the lane.
@@ -117,6 +120,11 @@ impl Float8<Plain> for F32x8 {
     }
 
     #[inline(always)]
+    fn abs(self) -> F32x8 {
+        self.zip(self, |a, _| a.abs())
+    }
+
+    #[inline(always)]
     fn zero_where_positive(self, other: F32x8) -> F32x8 {
         self.zip(other, |a, b| if b > 0.0 { 0.0 } else { a })
     }
@@ -176,7 +184,17 @@ impl Keys8 for I32x8 {
     }
 
     #[inline(always)]
-    fn lanes(self) -> [i32; WIDTH] {
-        self.0
+    fn others(self, lanes: u32, child: &[u32; WIDTH], keys: &mut [i32; WIDTH], children: &mut [u32; WIDTH]) -> usize {
+        let (mut count, least) = (0, self.least());
+        for (k, &key) in self.0.iter().enumerate().filter(|(k, key)| lanes >> k & 1 == 1 && **key != least) {
+            let mut i = count;
+            while i > 0 && keys[i - 1] < key {
+                (keys[i], children[i]) = (keys[i - 1], children[i - 1]);
+                i -= 1;
+            }
+            (keys[i], children[i]) = (key, child[k]);
+            count += 1;
+        }
+        count
     }
 }

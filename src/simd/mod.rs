@@ -79,13 +79,15 @@ fn level() -> Level {
 
 #[cfg(target_arch = "x86_64")]
 fn detect() -> Level {
-    let present = if is_x86_feature_detected!("avx2")
+    let has_avx2 =
+        is_x86_feature_detected!("avx2") && is_x86_feature_detected!("bmi1") && is_x86_feature_detected!("popcnt");
+    let present = if has_avx2
         && is_x86_feature_detected!("avx512f")
         && is_x86_feature_detected!("avx512dq")
         && is_x86_feature_detected!("avx512vl")
     {
         Level::Avx512
-    } else if is_x86_feature_detected!("avx2") {
+    } else if has_avx2 {
         Level::Avx2
     } else {
         Level::Baseline

@@ -40,7 +40,13 @@ impl Tree {
         // What the hierarchy is built for tells the progress.
         let run = parallel::Run { progress: None, ..*run };
         let whole = (0..count).fold(Aabb::EMPTY, |all, k| all.hull(bounds(k)));
-        let mut tree = Tree { nodes: Vec::new(), center: whole.center(), scale: scale_of(whole.diagonal()), depth: 0 };
+        let mut tree = Tree {
+            nodes: Vec::new(),
+            oriented: Vec::new(),
+            center: whole.center(),
+            scale: scale_of(whole.diagonal()),
+            depth: 0,
+        };
         let mut items: Vec<Item> = try_with_capacity("primitives", count)?;
         items.resize(count, Item::NONE);
         run.for_each_piece(&mut items, SHORT, &|from, piece| {

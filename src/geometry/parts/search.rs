@@ -181,7 +181,7 @@ impl Kernel for SphereGroup<'_> {
             let start = hierarchy.bound(sink.limit(), extent);
             (tree.scaled(start), SphereSearch { tree, blocks, hierarchy, p, extent, sink })
         });
-        bvh::nearest_for_group::<S, true, _>(simd, tree, points, |leaf| prefetch(&blocks[leaf]), searches);
+        bvh::nearest_for_group::<S, bvh::Signed, _>(simd, tree, points, |leaf| prefetch(&blocks[leaf]), searches);
     }
 }
 
@@ -201,13 +201,13 @@ impl<K: Sink> Kernel for SphereSearch<'_, K> {
     fn run<S: Simd>(mut self, simd: S) {
         let (tree, p) = (self.tree, self.p);
         let start = tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent));
-        bvh::nearest::<S, true>(simd, tree, p, start, &mut self);
+        bvh::nearest::<S, bvh::Signed>(simd, tree, p, start, &mut self);
     }
 }
 
 impl<S: Simd, K: Sink> LeafDistance<S> for SphereSearch<'_, K> {
     #[inline(always)]
-    fn visit(&mut self, _: S, leaf: usize) -> f32 {
+    fn visit(&mut self, _: S, leaf: usize, _: [f32; 3], _: f32) -> f32 {
         let block = &self.blocks[leaf];
         let values = block.values(self.p);
         let mut near = values.at_most(self.sink.limit());
@@ -239,13 +239,13 @@ impl<K: Sink> Kernel for Others<'_, K> {
     fn run<S: Simd>(mut self, simd: S) {
         let (tree, p) = (self.tree, self.p);
         let start = tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent));
-        bvh::nearest::<S, true>(simd, tree, p, start, &mut self);
+        bvh::nearest::<S, bvh::Signed>(simd, tree, p, start, &mut self);
     }
 }
 
 impl<S: Simd, K: Sink> LeafDistance<S> for Others<'_, K> {
     #[inline(always)]
-    fn visit(&mut self, _: S, leaf: usize) -> f32 {
+    fn visit(&mut self, _: S, leaf: usize, _: [f32; 3], _: f32) -> f32 {
         let part = self.parts[leaf] as usize;
         self.sink.offer(self.all.signed(part, self.p), part);
         self.tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent))

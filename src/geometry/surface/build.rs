@@ -87,7 +87,7 @@ fn assemble(mesh: &Mesh, topology: &HalfEdges, sign: Sign, run: &Run) -> Result<
         return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
     }
     let corners = |t: usize| triangles[t].corners(vertices);
-    let (tree, order) = Tree::build(triangles.len(), &|t| Aabb::of(corners(t)), LEAF_SIZE, run)?;
+    let (mut tree, order) = Tree::build(triangles.len(), &|t| Aabb::of(corners(t)), LEAF_SIZE, run)?;
     let none = Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] };
     let mut leaves = filled("leaves", order.start.len() - 1, none)?;
     run.for_each_piece(&mut leaves, PIECE, &|from, leaves| {
@@ -100,6 +100,7 @@ fn assemble(mesh: &Mesh, topology: &HalfEdges, sign: Sign, run: &Run) -> Result<
         }
         Ok(())
     })?;
+    tree.fit(&order, &|t| corners(t as usize), run)?;
     drop(order);
     let mut normals = filled("normals", triangles.len(), Vec3::ZERO)?;
     run.for_each_piece(&mut normals, PIECE, &|from, normals| {

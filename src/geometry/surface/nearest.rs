@@ -9,12 +9,12 @@ use super::{Leaf, NO_TRIANGLE, Surface};
 use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::math::{Vec3, length};
 use crate::primitive::triangle::{self, Foot, Prepared, V3};
-use crate::simd::float8::{Float8, Simd, slack};
+use crate::simd::float8::{Float8, Simd};
 use crate::simd::lanes::{F64x8, Lanes, WIDTH};
 use crate::simd::{Kernel, dispatch, prefetch};
 
 /// Candidates that wait for the kernel.
-const WAITING: usize = 64;
+const WAITING: usize = 32;
 
 /// The nearest triangle and where on it.
 #[derive(Clone, Copy, Debug)]
@@ -76,8 +76,8 @@ impl Kernel for Search<'_> {
     fn run<S: Simd>(self, simd: S) -> Best {
         let Search { surface, tree, p } = self;
         let mut best = Best::NONE;
-        let mut candidates = Candidates::new(surface, tree, p, &mut best);
-        bvh::nearest::<S, false>(simd, tree, p, f32::INFINITY, &mut candidates);
+        let mut candidates = Candidates::new(surface, p, &mut best);
+        bvh::nearest::<S, bvh::Around>(simd, tree, p, f32::INFINITY, &mut candidates);
         best
     }
 }
@@ -123,8 +123,8 @@ impl Kernel for SearchGroup<'_> {
         let mut best = [Best::NONE; GROUP];
         let fetch = |leaf: usize| prefetch(&surface.leaves[leaf]);
         let searches = points.iter().zip(&mut best);
-        let searches = searches.map(|(&p, best)| (f32::INFINITY, Candidates::new(surface, tree, p, best)));
-        bvh::nearest_for_group::<S, false, _>(simd, tree, points, fetch, searches);
+        let searches = searches.map(|(&p, best)| (f32::INFINITY, Candidates::new(surface, p, best)));
+        bvh::nearest_for_group::<S, bvh::Around, _>(simd, tree, points, fetch, searches);
         best
     }
 }
@@ -254,26 +254,21 @@ impl Kernel for Settle<'_, '_> {
 /// The search as it goes from leaf to leaf.
 struct Candidates<'a> {
     waiting: Waiting<'a>,
-    /// The point as the tree and its leaves have it.
-    at: [f32; 3],
-    slack: f32,
     out: &'a mut Best,
 }
 
 impl<'a> Candidates<'a> {
     #[inline(always)]
-    fn new(surface: &'a Surface, tree: &Tree, p: Vec3, out: &'a mut Best) -> Candidates<'a> {
-        let at = tree.place(p);
-        let slack = slack(at.abs().max_element());
-        Candidates { waiting: Waiting::new(surface, p), at: [at.x as f32, at.y as f32, at.z as f32], slack, out }
+    fn new(surface: &'a Surface, p: Vec3, out: &'a mut Best) -> Candidates<'a> {
+        Candidates { waiting: Waiting::new(surface, p), out }
     }
 }
 
 impl<S: Simd> LeafDistance<S> for Candidates<'_> {
     #[inline(always)]
-    fn visit(&mut self, simd: S, leaf: usize) -> f32 {
+    fn visit(&mut self, simd: S, leaf: usize, at: [f32; 3], slack: f32) -> f32 {
         let leaf = &self.waiting.surface.leaves[leaf];
-        self.waiting.look(simd, leaf, self.at, self.slack)
+        self.waiting.look(simd, leaf, at, slack)
     }
 
     #[inline(always)]
