@@ -14,6 +14,7 @@ mod diagnose;
 mod fill;
 mod inputs;
 mod intercept;
+mod order;
 mod values;
 
 pub use crate::geometry::Closest;
