@@ -210,7 +210,7 @@ fn edge<L: Lanes>(t: &Prepared<L>, to: &[V3<L>; 3], k: usize) -> Foot<L> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::lanes::F64x8;
+    use crate::simd::lanes::{F64s, F64x8};
 
     fn point_and_weights(corners: [Vec3; 3], p: Vec3) -> (Vec3, Vec3) {
         let prepared = Prepared::new(corners);
@@ -221,13 +221,13 @@ mod tests {
 
     fn gathered(lanes: &[Prepared<f64>; 8]) -> Prepared<F64x8> {
         let vector = |get: &dyn Fn(&Prepared<f64>) -> V3<f64>| {
-            V3(std::array::from_fn(|axis| F64x8(std::array::from_fn(|k| get(&lanes[k]).0[axis]))))
+            V3(std::array::from_fn(|axis| F64s(std::array::from_fn(|k| get(&lanes[k]).0[axis]))))
         };
         Prepared {
             corner: std::array::from_fn(|i| vector(&|t| t.corner[i])),
             normal: vector(&|t| t.normal),
             inward: std::array::from_fn(|i| vector(&|t| t.inward[i])),
-            inverse: std::array::from_fn(|i| F64x8(std::array::from_fn(|k| lanes[k].inverse[i]))),
+            inverse: std::array::from_fn(|i| F64s(std::array::from_fn(|k| lanes[k].inverse[i]))),
         }
     }
 

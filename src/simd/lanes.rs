@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! One f64, or eight side by side, behind one set of operations: kernels are written once, and the
+//! One f64, or four or eight side by side, behind one set of operations: kernels are written once, and the
 //! scalar one is the brute-force twin of the vector one. Plain loops over arrays, which the compiler
 //! turns into vector instructions of the level it compiles for.
 
@@ -53,28 +53,31 @@ impl Lanes for f64 {
 /// Lanes side by side.
 pub(crate) const WIDTH: usize = 8;
 
-/// Eight f64.
+/// Several f64.
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
-pub(crate) struct F64x8(pub(crate) [f64; WIDTH]);
+#[repr(C, align(32))]
+pub(crate) struct F64s<const N: usize>(pub(crate) [f64; N]);
+
+/// Eight f64.
+pub(crate) type F64x8 = F64s<WIDTH>;
 
 /// All bits set where a comparison holds.
 #[derive(Clone, Copy)]
-#[repr(C, align(64))]
-pub(crate) struct Mask8([u64; WIDTH]);
+#[repr(C, align(32))]
+pub(crate) struct Mask<const N: usize>([u64; N]);
 
 macro_rules! lanewise {
     ($trait:ident, $function:ident, $operator:tt) => {
-        impl $trait for F64x8 {
-            type Output = F64x8;
+        impl<const N: usize> $trait for F64s<N> {
+            type Output = F64s<N>;
 
             #[inline(always)]
-            fn $function(self, other: F64x8) -> F64x8 {
-                let mut out = [0.0; WIDTH];
+            fn $function(self, other: F64s<N>) -> F64s<N> {
+                let mut out = [0.0; N];
                 for (k, x) in out.iter_mut().enumerate() {
                     *x = self.0[k] $operator other.0[k];
                 }
-                F64x8(out)
+                F64s(out)
             }
         }
     };
@@ -85,71 +88,71 @@ lanewise!(Sub, sub, -);
 lanewise!(Mul, mul, *);
 lanewise!(Div, div, /);
 
-impl F64x8 {
+impl<const N: usize> F64s<N> {
     /// Square roots, correctly rounded.
     #[inline(always)]
-    pub(crate) fn sqrt(self) -> F64x8 {
-        let mut out = [0.0; WIDTH];
+    pub(crate) fn sqrt(self) -> F64s<N> {
+        let mut out = [0.0; N];
         for (k, x) in out.iter_mut().enumerate() {
             *x = self.0[k].sqrt();
         }
-        F64x8(out)
+        F64s(out)
     }
 
     /// A bit for each lane that is at most `limit`.
     #[inline(always)]
     pub(crate) fn at_most(self, limit: f64) -> u32 {
-        let mut bits = [0; WIDTH];
-        for k in 0..WIDTH {
+        let mut bits = [0; N];
+        for k in 0..N {
             bits[k] = if self.0[k] <= limit { 1 << k } else { 0 };
         }
         bits.iter().fold(0, |all, bit| all | bit)
     }
 
     #[inline(always)]
-    fn compare(self, other: F64x8, holds: impl Fn(f64, f64) -> bool) -> Mask8 {
-        let mut out = [0; WIDTH];
+    fn compare(self, other: F64s<N>, holds: impl Fn(f64, f64) -> bool) -> Mask<N> {
+        let mut out = [0; N];
         for (k, m) in out.iter_mut().enumerate() {
             *m = if holds(self.0[k], other.0[k]) { !0 } else { 0 };
         }
-        Mask8(out)
+        Mask(out)
     }
 }
 
-impl Lanes for F64x8 {
-    type Mask = Mask8;
+impl<const N: usize> Lanes for F64s<N> {
+    type Mask = Mask<N>;
 
     #[inline(always)]
-    fn splat(x: f64) -> F64x8 {
-        F64x8([x; WIDTH])
+    fn splat(x: f64) -> F64s<N> {
+        F64s([x; N])
     }
 
     #[inline(always)]
-    fn lt(self, other: F64x8) -> Mask8 {
+    fn lt(self, other: F64s<N>) -> Mask<N> {
         self.compare(other, |a, b| a < b)
     }
 
     #[inline(always)]
-    fn le(self, other: F64x8) -> Mask8 {
+    fn le(self, other: F64s<N>) -> Mask<N> {
         self.compare(other, |a, b| a <= b)
     }
 
     #[inline(always)]
-    fn and(a: Mask8, b: Mask8) -> Mask8 {
-        let mut out = [0; WIDTH];
+    fn and(a: Mask<N>, b: Mask<N>) -> Mask<N> {
+        let mut out = [0; N];
         for (k, m) in out.iter_mut().enumerate() {
             *m = a.0[k] & b.0[k];
         }
-        Mask8(out)
+        Mask(out)
     }
 
     #[inline(always)]
-    fn select(mask: Mask8, yes: F64x8, no: F64x8) -> F64x8 {
-        let mut out = [0.0; WIDTH];
+    fn select(mask: Mask<N>, yes: F64s<N>, no: F64s<N>) -> F64s<N> {
+        let mut out = [0.0; N];
         for (k, x) in out.iter_mut().enumerate() {
             *x = f64::from_bits((mask.0[k] & yes.0[k].to_bits()) | (!mask.0[k] & no.0[k].to_bits()));
         }
-        F64x8(out)
+        F64s(out)
     }
 }
 

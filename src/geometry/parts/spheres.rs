@@ -4,7 +4,7 @@
 use crate::geometry::shape::Sphere;
 use crate::math::Vec3;
 use crate::primitive::sphere;
-use crate::simd::lanes::{F64x8, Lanes, WIDTH};
+use crate::simd::lanes::{F64s, F64x8, Lanes, WIDTH};
 
 /// Marks the unused lanes of a block.
 const NO_PART: u32 = u32::MAX;
@@ -23,8 +23,8 @@ impl Block {
     pub(super) fn new(spheres: &[(u32, Sphere)]) -> Block {
         let lane = |k: usize| &spheres[if k < spheres.len() { k } else { 0 }].1;
         Block {
-            center: std::array::from_fn(|axis| F64x8(std::array::from_fn(|k| lane(k).center[axis]))),
-            radius: F64x8(std::array::from_fn(|k| lane(k).radius)),
+            center: std::array::from_fn(|axis| F64s(std::array::from_fn(|k| lane(k).center[axis]))),
+            radius: F64s(std::array::from_fn(|k| lane(k).radius)),
             part: std::array::from_fn(|k| spheres.get(k).map_or(NO_PART, |s| s.0)),
         }
     }
@@ -51,6 +51,6 @@ impl Block {
     #[inline(never)]
     fn values_one_by_one(&self, p: Vec3) -> F64x8 {
         let center = |k: usize| Vec3::from_array([0, 1, 2].map(|axis| self.center[axis].0[k]));
-        F64x8(std::array::from_fn(|k| sphere::value(center(k), self.radius.0[k], p)))
+        F64s(std::array::from_fn(|k| sphere::value(center(k), self.radius.0[k], p)))
     }
 }

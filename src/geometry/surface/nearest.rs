@@ -10,7 +10,7 @@ use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::math::{Vec3, length};
 use crate::primitive::triangle::{self, Foot, Prepared, V3};
 use crate::simd::float8::{Float8, Simd};
-use crate::simd::lanes::{F64x8, Lanes, WIDTH};
+use crate::simd::lanes::{F64s, Lanes, WIDTH};
 use crate::simd::{Kernel, dispatch, prefetch};
 
 /// Candidates that wait for the kernel.
@@ -54,7 +54,7 @@ impl Best {
     }
 
     #[inline(always)]
-    fn offer_all(&mut self, feet: &Foot<F64x8>, triangles: &[u32]) {
+    fn offer_all<const N: usize>(&mut self, feet: &Foot<F64s<N>>, triangles: &[u32]) {
         for (k, &triangle) in triangles.iter().enumerate() {
             let (squared, feature, along) = (feet.squared.0[k], feet.feature.0[k], feet.along.0[k]);
             self.offer(Foot { squared, feature, along }, triangle);
@@ -101,7 +101,7 @@ impl Kernel for OfAll<'_> {
                 all[k] = from + k as u32;
             }
             let count = WIDTH.min(surface.triangles.len() - from as usize);
-            best.offer_all(&surface.feet(&all[..count], p), &all[..count]);
+            best.offer_all::<WIDTH>(&surface.feet(&all[..count], p), &all[..count]);
         }
         best
     }
@@ -228,13 +228,15 @@ impl<'a> Waiting<'a> {
 
     #[inline(always)]
     fn ask_kernel(&mut self) {
-        for from in (0..self.count).step_by(WIDTH) {
-            let all = &self.triangles[from..self.count.min(from + WIDTH)];
-            if let &[triangle] = all {
-                self.best.offer(self.surface.foot(triangle, self.p), triangle);
-                continue;
+        let mut rest = &self.triangles[..self.count];
+        while !rest.is_empty() {
+            let (some, others) = rest.split_at(rest.len().min(WIDTH));
+            match some.len() {
+                1 => self.best.offer(self.surface.foot(some[0], self.p), some[0]),
+                2..=4 => self.best.offer_all::<4>(&self.surface.feet(some, self.p), some),
+                _ => self.best.offer_all::<WIDTH>(&self.surface.feet(some, self.p), some),
             }
-            self.best.offer_all(&self.surface.feet(all, self.p), all);
+            rest = others;
         }
         self.count = 0;
     }
@@ -320,12 +322,12 @@ impl Surface {
         triangle::nearest(&Prepared::of(corners, V3([normal.x, normal.y, normal.z])), V3([p.x, p.y, p.z]))
     }
 
-    /// The same for up to eight; the lanes left over repeat the first.
+    /// The same for up to N; the lanes left over repeat the first.
     #[inline(always)]
-    fn feet(&self, triangles: &[u32], p: Vec3) -> Foot<F64x8> {
-        let none = V3([F64x8::splat(0.0); 3]);
+    fn feet<const N: usize>(&self, triangles: &[u32], p: Vec3) -> Foot<F64s<N>> {
+        let none = V3([F64s::splat(0.0); 3]);
         let (mut corner, mut normal) = ([none; 3], none);
-        for k in 0..WIDTH {
+        for k in 0..N {
             let t = triangles[if k < triangles.len() { k } else { 0 }] as usize;
             for (i, &v) in self.triangles[t].vertex.iter().enumerate() {
                 let at = self.vertices[v as usize];
