@@ -25,10 +25,24 @@ impl Geometry {
         if b.lo == b.hi {
             return Interval::point(self.value(b.lo)).sign();
         }
+        if let Some(side) = self.side(b) {
+            return side;
+        }
         if self.summary().may_fail || b.is_finite() {
             return if b.is_finite() { self.range(b).sign() } else { 0 };
         }
         i32::from(self.is_apart(self.summary().bounds, b)) - i32::from(self.is_apart(self.summary().rest, b))
+    }
+
+    /// The class of a box that is not a point, where it takes no numbers to know: of a mesh.
+    fn side(&self, b: Aabb) -> Option<i32> {
+        match self.node() {
+            Node::Surface(surface) if b.is_finite() => surface.side(b),
+            Node::Complement(g) => g.side(b).map(|side| -side),
+            Node::Translate(g, shift) => g.side(Aabb::new(b.lo - *shift, b.hi - *shift)),
+            Node::Part(g, _) => g.side(b),
+            _ => None,
+        }
     }
 
     /// Whether a box keeps clear of bounds of this body by more than rounding.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
-use super::{ALONE, Corners, Doubts, Leaf, NO_TRIANGLE, Sign, Surface};
+use super::{ALONE, Corners, Doubts, Leaf, NO_TRIANGLE, Sides, Sign, Surface};
 use crate::bvh::{LEAF_SIZE, Tree};
 use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
@@ -28,6 +28,7 @@ impl Surface {
             surface.distrust_unclear_normals(mesh);
             surface.check_embedding(mesh, topology, options.sign, run)?;
         }
+        surface.sides = Sides::new(&surface)?;
         if options.accelerator == Accelerator::None {
             (surface.tree, surface.leaves) = (None, Vec::new());
         }
@@ -132,6 +133,7 @@ fn assemble(mesh: &Mesh, topology: &HalfEdges, sign: Sign, run: &Run) -> Result<
         diagonal: bounds.diagonal(),
         sign,
         doubts: Doubts::default(),
+        sides: Sides::default(),
         far_winding: i32::from(sign != Sign::Unsigned && mesh.surface().volume < 0.0),
     })
 }

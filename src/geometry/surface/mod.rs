@@ -7,10 +7,12 @@ mod check;
 mod columns;
 mod crossings;
 mod nearest;
+mod sides;
 mod sign;
 mod tile;
 
 pub(crate) use nearest::Nearest;
+use sides::Sides;
 pub(crate) use tile::Block;
 
 use crate::bvh::Tree;
@@ -77,6 +79,8 @@ pub(crate) struct Surface {
     sign: Sign,
     /// Triangles that pseudonormals do not decide the sign at.
     doubts: Doubts,
+    /// Where the surface is not.
+    sides: Sides,
     /// Winding number far away: 1 where an inside-out mesh was kept, else 0.
     far_winding: i32,
 }
@@ -170,6 +174,7 @@ impl Surface {
             + size_of_val(&self.neighbours[..])
             + size_of_val(&self.vertex_normals[..])
             + size_of_val(&self.doubts.bits[..])
+            + self.sides.bytes()
     }
 
     /// Feeds the bits that define every answer to `add`.
