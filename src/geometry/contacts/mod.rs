@@ -10,7 +10,7 @@ mod groups;
 mod hub;
 mod star;
 
-use crate::bvh::{Leaves, Pairs, Tree};
+use crate::bvh::{Leaves, Pairs, Scratch, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::{HalfEdges, Triangle};
@@ -25,6 +25,9 @@ use std::ops::Range;
 /// Vertices and leaves of a chunk of work.
 const VERTICES: usize = 4096;
 const LEAVES: usize = 256;
+
+/// Leaves whose pairs wait for being looked at.
+const FEW: usize = 32;
 
 /// The surface to look at. No two triangles have the same three vertices unless their faces overlap.
 pub(crate) struct Contacts<'a> {
@@ -98,10 +101,10 @@ impl<'a> Contacts<'a> {
     /// Pairs that share no vertex.
     fn among_leaves(&self, pairs: &Pairs, groups: &Groups, leaves: Range<usize>, found: &mut Chunk) -> Result<()> {
         let apart = |members: &[u32], group: u32| self.is_apart(members, groups.fans[group as usize]);
-        let (mut stack, mut near) = (Vec::new(), Vec::new());
-        for leaf in leaves {
+        let (mut scratch, mut near) = (Scratch::default(), Vec::new());
+        for from in leaves.clone().step_by(FEW) {
             near.clear();
-            pairs.of_leaf(leaf, &apart, &mut stack, &mut near)?;
+            pairs.of_leaves(from..leaves.end.min(from + FEW), &apart, &mut scratch, &mut near)?;
             for &[s, t] in &near {
                 if self.touch_apart(s, t) {
                     found.add([s, t])?;
