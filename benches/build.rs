@@ -4,10 +4,10 @@
 //!     cargo bench --bench build -- [once] [threads] [file ...]      (1; icospheres of 20,480, 81,920 and 1,310,720 triangles)
 //!
 //! `stl` reads a binary STL from memory, `mesh` welds arrays, `NONE` is the hierarchy and what stands in its leaves,
-//! `RAY` the same with a sign by crossings, `AUTO` with pseudonormals and the check that lets them decide. With `once`
-//! each step runs once, for a profiler.
+//! `RAY` the same with a sign by crossings, `AUTO` with pseudonormals and the check that lets them decide; `refit` takes
+//! other vertices. With `once` each step runs once, for a profiler.
 
-use embound::geometry::{Geometry, SdfOptions, SignMethod};
+use embound::geometry::{Geometry, RefitCheck, SdfOptions, SignMethod};
 use embound::io::{self, Format};
 use embound::mesh::{Mesh, MeshOptions};
 use embound::parallel::{Pool, Run};
@@ -48,6 +48,12 @@ fn measure(name: &str, mesh: &Mesh, run: &Run, once: bool) {
     tell("NONE", least(tries, || build(SignMethod::None)));
     tell("RAY", least(tries, || build(SignMethod::Ray)));
     tell("AUTO", least(tries, || build(SignMethod::Auto)));
+    let moved: Vec<f64> = soup.vertices.iter().flat_map(|p| p.map(|c| 1.01 * c)).collect();
+    if let Ok(g) = build(SignMethod::Auto) {
+        let step = |check| g.refit(&moved, check, run);
+        tell("refit checked", least(tries, || step(RefitCheck::Check)));
+        tell("trusted", least(tries, || step(RefitCheck::Trust)));
+    }
     let g = build(SignMethod::None).expect("any mesh");
     let (lo, hi) = (mesh.bounds().lo.to_array(), mesh.bounds().hi.to_array());
     let mut random = Random(1);

@@ -3,6 +3,7 @@
 //! and theirs is built on all threads; the tree is the same for any number of them.
 
 mod cells;
+mod refit;
 mod split;
 
 use super::{EMPTY_NODE, LEAF, Leaves, Node, Tree, scale_of};

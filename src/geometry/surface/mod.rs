@@ -8,6 +8,7 @@ mod columns;
 mod crossings;
 mod nearest;
 mod normals;
+mod refit;
 mod sign;
 mod tile;
 
