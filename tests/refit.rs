@@ -120,7 +120,7 @@ fn what_moved_is_what_is_made_anew_to_the_bit() {
                 assert_eq!(anew.fingerprint(), serial.fingerprint(), "{b} {kind} {sign:?}");
                 assert_eq!(anew.fingerprint(), parallel.fingerprint(), "{b} {kind} {sign:?}");
                 assert_eq!(anew.properties().sign_method, serial.properties().sign_method);
-                let at = points::all_kinds(&new, 60, &mut random);
+                let at = points::all_kinds(&new, 40, &mut random);
                 let expected = answers(&anew, &at);
                 assert_eq!(expected, answers(&serial, &at), "{b} {kind} {sign:?}");
                 assert_eq!(expected, answers(&parallel, &at), "{b} {kind} {sign:?}");

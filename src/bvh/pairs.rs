@@ -9,6 +9,7 @@
 use super::{LEAF, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::Aabb;
+use crate::parallel::Run;
 use crate::simd::float8::{Float8, Simd};
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
@@ -16,6 +17,9 @@ use std::ops::Range;
 
 /// In no group.
 pub(crate) const ALONE: u32 = u32::MAX;
+
+/// Leaves for a thread to do in one go.
+const PIECE: usize = 1024;
 
 /// The boxes of a leaf side by side; unused lanes are empty.
 #[derive(Clone, Copy)]
@@ -96,21 +100,24 @@ impl<'a> Pairs<'a> {
         tree: &'a Tree,
         order: &'a [u32],
         start: &'a [u32],
-        bounds: impl Fn(u32) -> Aabb,
+        bounds: impl Fn(u32) -> Aabb + Sync,
         groups: &[u32],
+        run: &Run,
     ) -> Result<Pairs<'a>> {
         let mut boxes = try_with_capacity("boxes", start.len())?;
-        for leaf in start.windows(2) {
-            let mut lanes = Boxes::EMPTY;
-            for (k, &primitive) in order[leaf[0] as usize..leaf[1] as usize].iter().enumerate() {
-                let (lo, hi) = tree.relative(bounds(primitive));
-                for axis in 0..3 {
-                    lanes.lo[axis][k] = lo[axis];
-                    lanes.hi[axis][k] = hi[axis];
+        boxes.resize(start.len() - 1, Boxes::EMPTY);
+        run.silent().for_each_piece(&mut boxes, PIECE, &|from, piece| {
+            for (lanes, leaf) in piece.iter_mut().zip(start[from..].windows(2)) {
+                for (k, &primitive) in order[leaf[0] as usize..leaf[1] as usize].iter().enumerate() {
+                    let (lo, hi) = tree.relative(bounds(primitive));
+                    for axis in 0..3 {
+                        lanes.lo[axis][k] = lo[axis];
+                        lanes.hi[axis][k] = hi[axis];
+                    }
                 }
             }
-            boxes.push(lanes);
-        }
+            Ok(())
+        })?;
         let (last_leaf, group_of_leaf, group_of_node, has_groups) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut pairs = Pairs { tree, order, start, boxes, last_leaf, group_of_leaf, group_of_node, has_groups };
         pairs.number_leaves()?;

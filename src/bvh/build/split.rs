@@ -333,8 +333,7 @@ fn partition<S: Simd>(simd: S, items: &mut [Item], plane: &Plane) -> usize {
     let mut low = 0;
     for k in 0..items.len() {
         let item = items[k];
-        items[k] = items[low];
-        items[low] = item;
+        items.swap(low, k);
         low += usize::from(plane.scale.bins(simd, &item)[plane.axis] < plane.bin as i32);
     }
     low

@@ -11,9 +11,9 @@ mod hub;
 mod star;
 
 use crate::bvh::{Leaves, Pairs, Scratch, Tree};
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::{HalfEdges, Triangle};
+use crate::mesh::{HalfEdges, Triangle, filled};
 use crate::parallel::Run;
 use crate::primitive::contact::{are_clear, folded, meet_beyond_corner, triangles_touch};
 use crate::primitive::polygon::are_collinear;
@@ -25,6 +25,9 @@ use std::ops::Range;
 /// Vertices and leaves of a chunk of work.
 const VERTICES: usize = 4096;
 const LEAVES: usize = 256;
+
+/// Triangles for a thread to do in one go.
+const PIECE: usize = 4096;
 
 /// Leaves whose pairs wait for being looked at.
 const FEW: usize = 32;
@@ -58,12 +61,16 @@ impl<'a> Contacts<'a> {
         topology: &'a HalfEdges,
         slack: f64,
         faces_alone: bool,
+        run: &Run,
     ) -> Result<Self> {
-        let mut flat = try_with_capacity("triangles", triangles.len())?;
-        flat.extend(triangles.iter().map(|t| {
-            let [a, b, c] = t.corners(vertices);
-            are_collinear(a, b, c)
-        }));
+        let mut flat = filled("triangles", triangles.len(), false)?;
+        run.silent().for_each_piece(&mut flat, PIECE, &|from, piece| {
+            for (flat, t) in piece.iter_mut().zip(&triangles[from..]) {
+                let [a, b, c] = t.corners(vertices);
+                *flat = are_collinear(a, b, c);
+            }
+            Ok(())
+        })?;
         Ok(Contacts { vertices, triangles, topology, flat, slack, faces_alone })
     }
 
@@ -77,7 +84,7 @@ impl<'a> Contacts<'a> {
     /// order of the search, and so what is found, does not depend on the run.
     pub fn find(&self, tree: &Tree, leaves: &Leaves, limit: usize, run: &Run) -> Result<Found> {
         let groups = self.groups()?;
-        let pairs = Pairs::new(tree, &leaves.order, &leaves.start, |t| self.bounds(t), &groups.of_triangle)?;
+        let pairs = Pairs::new(tree, &leaves.order, &leaves.start, |t| self.bounds(t), &groups.of_triangle, run)?;
         let stars = self.vertices.len().div_ceil(VERTICES);
         let chunks = stars + pairs.leaf_count().div_ceil(LEAVES);
         let collector = Collector::new(chunks, limit)?;

@@ -98,7 +98,7 @@ impl Surface {
         run: &Run,
     ) -> Result<Vec<[u32; 2]>> {
         let Some(tree) = &self.tree else { return Ok(Vec::new()) };
-        let contacts = Contacts::new(&self.vertices, triangles, topology, self.rounding(), false)?;
+        let contacts = Contacts::new(&self.vertices, triangles, topology, self.rounding(), false, run)?;
         Ok(contacts.find(tree, leaves, limit, run)?.pairs)
     }
 
