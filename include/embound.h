@@ -243,6 +243,14 @@
 // A hierarchy of small memory. Not in this version: EMB_ERROR_UNSUPPORTED.
 #define EMB_ACCELERATOR_COMPACT 2
 
+// Where the surface meets itself is looked for anew, and there crossings decide the sign: right whatever the motion was.
+#define EMB_REFIT_CHECK 0
+
+// The caller knows that the motion does not bring the surface to meet itself where it did not before (a flag that waves, a
+// membrane that bulges), and no body into another of the same mesh: the sign is decided as it was. Where that is not so,
+// signs near there may be wrong.
+#define EMB_REFIT_TRUST 1
+
 // The value is the signed distance to the surface. Of a mesh that passes through itself, all of its faces count: inside,
 // the value may be the distance to a face that lies within the body.
 #define EMB_EXACT 0
@@ -1477,6 +1485,32 @@ emb_status emb_geom_bounds(const emb_geom *g, double out_lo[3], double out_hi[3]
 // written beyond that size. Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (struct_size).
 emb_status emb_geom_properties_get(const emb_geom *g, emb_geom_properties *properties);
 
+// The signed distance to the same faces over vertices that have moved. `xyz` holds 3 * vertex_count coordinates, vertex by
+// vertex, in the order of emb_mesh_vertices of the mesh that g was made from (with emb_mesh_options.weld_tolerance -1 that
+// is the order of the arrays that the mesh was made from). Values, ids and tags are those of emb_geom_from_mesh of such a
+// mesh with the options of g, bit for bit; so is the way the sign is decided, with EMB_REFIT_CHECK. The way that faces run
+// stays. g is left as it is, and shares with the new geometry what does not change; each may be freed first, and the mesh
+// long before.
+//
+// For a rigid motion take emb_geom_place, which is O(1) and needs no vertices. Make the geometry anew where faces come or
+// go, and now and then where the motion is large: what answers cost grows as faces move away from those they lay beside.
+//
+// `check` says what is looked at: EMB_REFIT_CHECK or EMB_REFIT_TRUST. On success *out_geom is the caller's, to be freed
+// with emb_geom_free. Cost: linear in the triangles with EMB_REFIT_TRUST, some six tenths of emb_geom_from_mesh;
+// EMB_REFIT_CHECK looks for faces that meet besides, as emb_geom_from_mesh does, which is about as much again. Either saves
+// making the mesh, too. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (another count, a coordinate that is not finite or beyond
+// 1e100, vertices of one place), EMB_ERROR_UNSUPPORTED (g is not what emb_geom_from_mesh or this made, but a shape, a label,
+// a motion or a combination: refit the mesh within, and make the rest anew, which is O(1) but for combinations),
+// EMB_ERROR_TOPOLOGY (the vertices turn a closed surface inside out, as a reflection does; or g was made with
+// EMB_SIGN_PSEUDONORMAL, which is no longer right), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED.
+emb_status emb_geom_refit(const emb_geom *g,
+                          size_t vertex_count,
+                          const double *xyz,
+                          int32_t check,
+                          const emb_run *run,
+                          emb_geom **out_geom);
+
 // A ball. Exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or radius not > 0).
 emb_status emb_geom_sphere(const double center[3], double radius, emb_geom **out_geom);
 
@@ -1673,7 +1707,8 @@ emb_status emb_geom_translate(const emb_geom *g, const double shift[3], emb_geom
 
 // The body placed rigidly: its point q comes to rotation * q + shift. `rotation` is row major and must be a
 // rotation to within 1e-9 (in each element of its transpose times itself; it is made one to rounding), so bring a
-// matrix that came from floats or was multiplied up over many steps back to one first. O(1), shares g: cheap enough for every time step of a moving body.
+// matrix that came from floats or was multiplied up over many steps back to one first. O(1), shares g: cheap enough for
+// every time step of a moving body (of one that also bends, see emb_geom_refit). Placements of placements become one.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or not a rotation).
 emb_status emb_geom_place(const emb_geom *g,
                           const double rotation[9],

@@ -147,6 +147,11 @@ fn meshes_are_repaired_and_polygons_hold_points() {
 }
 
 #[test]
+fn vertices_of_meshes_move() {
+    harness("refit");
+}
+
+#[test]
 fn diagnoses_of_meshes_have_the_same_bits_however_they_are_asked_for() {
     same_hashes("diagnosis");
 }

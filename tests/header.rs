@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 26] = [
+const SOURCES: [&str; 27] = [
     "constants",
     "error",
     "callback",
@@ -31,6 +31,7 @@ const SOURCES: [&str; 26] = [
     "diagnosis",
     "diagnosis_lists",
     "geometry",
+    "refit",
     "shapes",
     "sampled",
     "function",

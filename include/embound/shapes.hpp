@@ -80,6 +80,25 @@ inline Geometry from_mesh(const Mesh &mesh, const SdfOptions &options = {}, cons
     return Geometry(geometry);
 }
 
+/// What is looked at when the vertices of a mesh have moved.
+enum class RefitCheck : std::int32_t {
+    Check = EMB_REFIT_CHECK, ///< Where the surface meets itself now.
+    Trust = EMB_REFIT_TRUST  ///< Nothing: the caller knows that it meets itself nowhere but where it did.
+};
+
+/// The signed distance to the same faces over vertices that have moved: three coordinates for each vertex of the mesh that
+/// g was made from, in its order. g stays as it is. O(n); for rigid motions place() is O(1). Errors as of emb_geom_refit.
+inline Geometry refit(const Geometry &g, Span<const double> xyz, RefitCheck what = RefitCheck::Check, const Run &run = {}) {
+    if (xyz.size() % 3 != 0) {
+        throw Error(EMB_ERROR_INVALID_ARGUMENT, "xyz: " + std::to_string(xyz.size()) + " coordinates are not three for each vertex");
+    }
+    emb_geom *geometry = nullptr;
+    detail::call(run, [&](const emb_run *r) {
+        return emb_geom_refit(g.get(), xyz.size() / 3, xyz.data(), static_cast<std::int32_t>(what), r, &geometry);
+    });
+    return Geometry(geometry);
+}
+
 /// A ball; radius > 0.
 inline Geometry sphere(const Point &center, double radius) {
     return detail::made([&](emb_geom **out) { return emb_geom_sphere(center.data(), radius, out); });

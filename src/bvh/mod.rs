@@ -11,7 +11,7 @@ mod pairs;
 mod witness;
 
 pub(crate) use nearest::{Around, GROUP, LeafDistance, Signed, nearest, nearest_for_group};
-pub(crate) use pairs::{ALONE, Pairs};
+pub(crate) use pairs::{ALONE, Pairs, Scratch};
 pub(crate) use witness::{Corners, Eight, LeafList, WITNESSES};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};

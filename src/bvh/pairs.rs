@@ -9,12 +9,17 @@
 use super::{LEAF, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::Aabb;
-use crate::simd::float8::Simd;
+use crate::parallel::Run;
+use crate::simd::float8::{Float8, Simd};
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
+use std::ops::Range;
 
 /// In no group.
 pub(crate) const ALONE: u32 = u32::MAX;
+
+/// Leaves for a thread to do in one go.
+const PIECE: usize = 1024;
 
 /// The boxes of a leaf side by side; unused lanes are empty.
 #[derive(Clone, Copy)]
@@ -41,17 +46,32 @@ impl Boxes {
     }
 }
 
-/// A bit for each of eight boxes that meets one.
+/// A bit for each of eight boxes that meets one. (No difference is no number: empty boxes are infinitely far from those that
+/// are not.)
 #[inline(always)]
-fn meeting(lo: &[[f32; WIDTH]; 3], hi: &[[f32; WIDTH]; 3], (low, high): ([f32; 3], [f32; 3])) -> u32 {
-    let mut bits = [0u32; WIDTH];
-    for k in 0..WIDTH {
-        let x = lo[0][k] <= high[0] && low[0] <= hi[0][k];
-        let y = lo[1][k] <= high[1] && low[1] <= hi[1][k];
-        let z = lo[2][k] <= high[2] && low[2] <= hi[2][k];
-        bits[k] = if x & y & z { 1 << k } else { 0 };
-    }
-    bits.iter().fold(0, |all, bit| all | bit)
+fn meeting<S: Simd>(simd: S, lo: &[[f32; WIDTH]; 3], hi: &[[f32; WIDTH]; 3], (low, high): ([f32; 3], [f32; 3])) -> u32 {
+    let gap = |axis: usize| {
+        let above = S::Float::load(simd, &lo[axis]).sub(S::Float::splat(simd, high[axis]));
+        above.max(S::Float::splat(simd, low[axis]).sub(S::Float::load(simd, &hi[axis])))
+    };
+    gap(0).max(gap(1)).max(gap(2)).not_above(0.0)
+}
+
+/// Leaves that are looked at together.
+const TOGETHER: usize = 16;
+
+/// Scratch of a search.
+#[derive(Default)]
+pub(crate) struct Scratch {
+    stack: Vec<u32>,
+    near: Vec<Near>,
+}
+
+/// Eight leaves, by what is around them.
+#[derive(Clone, Copy)]
+struct Near {
+    boxes: Boxes,
+    leaf: [u32; WIDTH],
 }
 
 /// What a search for pairs needs beside the tree.
@@ -80,21 +100,24 @@ impl<'a> Pairs<'a> {
         tree: &'a Tree,
         order: &'a [u32],
         start: &'a [u32],
-        bounds: impl Fn(u32) -> Aabb,
+        bounds: impl Fn(u32) -> Aabb + Sync,
         groups: &[u32],
+        run: &Run,
     ) -> Result<Pairs<'a>> {
         let mut boxes = try_with_capacity("boxes", start.len())?;
-        for leaf in start.windows(2) {
-            let mut lanes = Boxes::EMPTY;
-            for (k, &primitive) in order[leaf[0] as usize..leaf[1] as usize].iter().enumerate() {
-                let (lo, hi) = tree.relative(bounds(primitive));
-                for axis in 0..3 {
-                    lanes.lo[axis][k] = lo[axis];
-                    lanes.hi[axis][k] = hi[axis];
+        boxes.resize(start.len() - 1, Boxes::EMPTY);
+        run.silent().for_each_piece(&mut boxes, PIECE, &|from, piece| {
+            for (lanes, leaf) in piece.iter_mut().zip(start[from..].windows(2)) {
+                for (k, &primitive) in order[leaf[0] as usize..leaf[1] as usize].iter().enumerate() {
+                    let (lo, hi) = tree.relative(bounds(primitive));
+                    for axis in 0..3 {
+                        lanes.lo[axis][k] = lo[axis];
+                        lanes.hi[axis][k] = hi[axis];
+                    }
                 }
             }
-            boxes.push(lanes);
-        }
+            Ok(())
+        })?;
         let (last_leaf, group_of_leaf, group_of_node, has_groups) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut pairs = Pairs { tree, order, start, boxes, last_leaf, group_of_leaf, group_of_node, has_groups };
         pairs.number_leaves()?;
@@ -165,12 +188,24 @@ impl<'a> Pairs<'a> {
         }
     }
 
-    /// Adds to `out` the pairs of primitives whose boxes meet that are this leaf's to find: all leaves together
+    /// Adds to `out` the pairs of primitives whose boxes meet that are these leaves' to find: all leaves together
     /// find each pair once. A leaf of no one group finds what it has in common with itself, with later such leaves
     /// and with all leaves of a group, so that it can be told to be apart from these; a leaf of a group, with later
-    /// leaves of others. `stack` is scratch.
-    pub fn of_leaf(&self, leaf: usize, apart: Apart, stack: &mut Vec<u32>, out: &mut Vec<[u32; 2]>) -> Result<()> {
-        dispatch(OfLeaf { pairs: self, leaf, apart, stack, out })
+    /// leaves of others.
+    pub fn of_leaves(
+        &self,
+        leaves: Range<usize>,
+        apart: Apart,
+        scratch: &mut Scratch,
+        out: &mut Vec<[u32; 2]>,
+    ) -> Result<()> {
+        if self.group_of_leaf.is_empty() {
+            return dispatch(OfRun { pairs: self, leaves, scratch, out });
+        }
+        for leaf in leaves {
+            dispatch(OfLeaf { pairs: self, leaf, apart, stack: &mut scratch.stack, out })?;
+        }
+        Ok(())
     }
 
     /// Whether the pairs of two leaves, of these groups, are the first one's to find.
@@ -208,7 +243,7 @@ impl Kernel for OfLeaf<'_, '_> {
     type Output = Result<()>;
 
     #[inline(always)]
-    fn run<S: Simd>(self, _: S) -> Result<()> {
+    fn run<S: Simd>(self, simd: S) -> Result<()> {
         let OfLeaf { pairs, leaf, apart, stack, out } = self;
         let hull = pairs.boxes[leaf].hull();
         let own = pairs.group(leaf as u32 | LEAF);
@@ -217,7 +252,7 @@ impl Kernel for OfLeaf<'_, '_> {
         while let Some(at) = stack.pop() {
             let node = &pairs.tree.nodes[at as usize];
             let within = pairs.group(at);
-            let mut near = meeting(&node.lo, &node.hi, hull);
+            let mut near = meeting(simd, &node.lo, &node.hi, hull);
             while near != 0 {
                 let child = node.child[near.trailing_zeros() as usize & (WIDTH - 1)];
                 near &= near - 1;
@@ -231,7 +266,7 @@ impl Kernel for OfLeaf<'_, '_> {
                 if child & LEAF != 0 {
                     let other = (child & !LEAF) as usize;
                     if pairs.finds(leaf, own, other, group) {
-                        between(pairs, leaf, other, out)?;
+                        between(simd, pairs, leaf, other, out)?;
                     }
                 } else {
                     let is_later = pairs.last_leaf[child as usize] as usize >= leaf;
@@ -245,15 +280,105 @@ impl Kernel for OfLeaf<'_, '_> {
     }
 }
 
+/// A few leaves one after another lie side by side: what is near to all of them is looked for once.
+struct OfRun<'a, 'b> {
+    pairs: &'b Pairs<'a>,
+    leaves: Range<usize>,
+    scratch: &'b mut Scratch,
+    out: &'b mut Vec<[u32; 2]>,
+}
+
+impl Kernel for OfRun<'_, '_> {
+    type Output = Result<()>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Result<()> {
+        let OfRun { pairs, leaves, scratch, out } = self;
+        let mut from = leaves.start;
+        while from < leaves.end {
+            let to = leaves.end.min(from + TOGETHER);
+            gather(simd, pairs, from..to, scratch)?;
+            for leaf in from..to {
+                let hull = pairs.boxes[leaf].hull();
+                for near in &scratch.near {
+                    let mut bits = meeting(simd, &near.boxes.lo, &near.boxes.hi, hull);
+                    while bits != 0 {
+                        let other = near.leaf[bits.trailing_zeros() as usize & (WIDTH - 1)] as usize;
+                        bits &= bits - 1;
+                        if other >= leaf {
+                            between(simd, pairs, leaf, other, out)?;
+                        }
+                    }
+                }
+            }
+            from = to;
+        }
+        Ok(())
+    }
+}
+
+/// Finds the leaves, not before these, whose boxes meet that of all of these.
+#[inline(always)]
+fn gather<S: Simd>(simd: S, pairs: &Pairs, leaves: Range<usize>, scratch: &mut Scratch) -> Result<()> {
+    let Scratch { stack, near } = scratch;
+    let mut all = Boxes::EMPTY;
+    for boxes in &pairs.boxes[leaves.clone()] {
+        for axis in 0..3 {
+            for k in 0..WIDTH {
+                all.lo[axis][k] = if boxes.lo[axis][k] < all.lo[axis][k] { boxes.lo[axis][k] } else { all.lo[axis][k] };
+                all.hi[axis][k] = if boxes.hi[axis][k] > all.hi[axis][k] { boxes.hi[axis][k] } else { all.hi[axis][k] };
+            }
+        }
+    }
+    let hull = all.hull();
+    let mut count = 0;
+    near.clear();
+    stack.clear();
+    stack.push(0);
+    while let Some(at) = stack.pop() {
+        let node = &pairs.tree.nodes[at as usize];
+        let mut bits = meeting(simd, &node.lo, &node.hi, hull);
+        while bits != 0 {
+            let lane = bits.trailing_zeros() as usize & (WIDTH - 1);
+            bits &= bits - 1;
+            let child = node.child[lane];
+            if child == u32::MAX {
+                continue;
+            }
+            if child & LEAF == 0 {
+                if pairs.last_leaf[child as usize] as usize >= leaves.start {
+                    stack.push(child);
+                }
+                continue;
+            }
+            if ((child & !LEAF) as usize) < leaves.start {
+                continue;
+            }
+            if count % WIDTH == 0 {
+                near.try_reserve(1).map_err(|_| Error::memory("leaves", count + 1))?;
+                near.push(Near { boxes: Boxes::EMPTY, leaf: [0; WIDTH] });
+            }
+            let (slot, last) = (count % WIDTH, near.len() - 1);
+            for axis in 0..3 {
+                near[last].boxes.lo[axis][slot] = node.lo[axis][lane];
+                near[last].boxes.hi[axis][slot] = node.hi[axis][lane];
+            }
+            near[last].leaf[slot] = child & !LEAF;
+            count += 1;
+        }
+    }
+    Ok(())
+}
+
 /// The pairs of two leaves, or of one.
 #[inline(always)]
-fn between(pairs: &Pairs, leaf: usize, other: usize, out: &mut Vec<[u32; 2]>) -> Result<()> {
+fn between<S: Simd>(simd: S, pairs: &Pairs, leaf: usize, other: usize, out: &mut Vec<[u32; 2]>) -> Result<()> {
     let (ours, theirs) = (pairs.members(leaf), pairs.members(other));
     let room = WIDTH * WIDTH;
     out.try_reserve(room).map_err(|_| Error::memory("pairs", out.len() + room))?;
     let (lanes, boxes) = (&pairs.boxes[leaf], &pairs.boxes[other]);
     for (i, &a) in ours.iter().enumerate() {
-        let mut bits = meeting(&boxes.lo, &boxes.hi, lanes.lane(i));
+        let mut bits = meeting(simd, &boxes.lo, &boxes.hi, lanes.lane(i));
         if leaf == other {
             // Each pair once, and nothing with itself.
             bits &= !0u32 << (i + 1);

@@ -150,6 +150,13 @@ pub const EMB_ACCELERATOR_NONE: i32 = 1;
 /// A hierarchy of small memory. Not in this version: EMB_ERROR_UNSUPPORTED.
 pub const EMB_ACCELERATOR_COMPACT: i32 = 2;
 
+/// Where the surface meets itself is looked for anew, and there crossings decide the sign: right whatever the motion was.
+pub const EMB_REFIT_CHECK: i32 = 0;
+/// The caller knows that the motion does not bring the surface to meet itself where it did not before (a flag that waves, a
+/// membrane that bulges), and no body into another of the same mesh: the sign is decided as it was. Where that is not so,
+/// signs near there may be wrong.
+pub const EMB_REFIT_TRUST: i32 = 1;
+
 /// The value is the signed distance to the surface. Of a mesh that passes through itself, all of its faces count: inside,
 /// the value may be the distance to a face that lies within the body.
 pub const EMB_EXACT: i32 = 0;

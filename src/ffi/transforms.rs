@@ -33,7 +33,8 @@ pub unsafe extern "C" fn emb_geom_translate(
 
 /// The body placed rigidly: its point q comes to rotation * q + shift. `rotation` is row major and must be a
 /// rotation to within 1e-9 (in each element of its transpose times itself; it is made one to rounding), so bring a
-/// matrix that came from floats or was multiplied up over many steps back to one first. O(1), shares g: cheap enough for every time step of a moving body.
+/// matrix that came from floats or was multiplied up over many steps back to one first. O(1), shares g: cheap enough for
+/// every time step of a moving body (of one that also bends, see emb_geom_refit). Placements of placements become one.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or not a rotation).
 /// cbindgen:ptrs-as-arrays=[[rotation;9], [shift;3]]
 #[unsafe(no_mangle)]

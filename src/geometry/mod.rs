@@ -29,7 +29,9 @@ mod value;
 
 pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
-pub use properties::{Accelerator, Function, FunctionOptions, Kind, Open, Properties, SdfOptions, SignMethod};
+pub use properties::{
+    Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod,
+};
 pub(crate) use segment::{Change, Event, NO_PART};
 pub use shape::ExpressionOptions;
 

@@ -49,6 +49,23 @@ impl Node {
         }
     }
 
+    /// What it is, in words.
+    pub(super) fn kind(&self) -> &'static str {
+        match self {
+            Node::Sphere(_) | Node::Shape(_) => "a shape",
+            Node::Surface(_) => "a mesh",
+            Node::Function { .. } => "a function",
+            Node::Union(_) => "a union",
+            Node::Intersection(_) => "an intersection or a difference",
+            Node::Smooth(_) => "a blend",
+            Node::Repeat(_) => "a pattern",
+            Node::Complement(_) => "a complement",
+            Node::Translate(..) | Node::Place(..) | Node::Map(..) => "moved, turned or bent",
+            Node::Level(..) | Node::Stencil(..) => "offset or smoothed",
+            Node::Part(..) => "labelled",
+        }
+    }
+
     /// Its children.
     pub(super) fn children(&self) -> &[Geometry] {
         match self {

@@ -61,6 +61,17 @@ pub enum Accelerator {
     Compact = 2,
 }
 
+/// What is looked at when the vertices of a mesh have moved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum RefitCheck {
+    /// Where the surface meets itself now.
+    #[default]
+    Check = 0,
+    /// Nothing: it is known to meet itself nowhere but where it did. If it does, signs near there are wrong.
+    Trust = 1,
+}
+
 /// How a mesh becomes a geometry.
 #[derive(Clone, Debug, Default)]
 pub struct SdfOptions {

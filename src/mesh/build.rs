@@ -17,7 +17,7 @@ use crate::math::{Aabb, Vec3};
 
 /// Beyond these the exact predicates overflow, or lose the last digits of the coordinates to underflow.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e100;
-const SMALLEST_DIAGONAL: f64 = 1e-90;
+pub(crate) const SMALLEST_DIAGONAL: f64 = 1e-90;
 
 /// The mesh of an input. `options` have been checked.
 pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
@@ -43,7 +43,7 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     data.of_pieces = cut.rows;
     let edges = Edges::of(vertices.len(), faces.half_edges())?;
     let of_half_edge = faces.of_half_edges()?;
-    let repeats = duplicates::find(&faces, vertices.len())?;
+    let repeats = duplicates::find_by_edges(&faces, vertices.len(), &edges, &of_half_edge)?;
     report.duplicate_faces = repeats.count();
     let flux = report.measure(&vertices, &faces, &triangles, bounds.center())?;
     report.count(&faces, &edges, &of_half_edge, flux)?;
@@ -128,6 +128,7 @@ fn weld(input: &Input, options: &MeshOptions) -> Result<(Welded, Aabb)> {
 
 impl Triangle {
     /// Its corners as positions.
+    #[inline]
     pub fn corners(&self, vertices: &[Vec3]) -> [Vec3; 3] {
         measure::corners(vertices, self)
     }

@@ -2,8 +2,9 @@
 //! Faces given more than once.
 
 use super::Triangle;
+use super::edges::{Edges, NONE};
 use super::faces::{Faces, filled, starts_from_counts};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, try_copy, try_with_capacity};
 use std::cmp::Ordering;
 
 /// Faces that repeat an earlier one: the same ring of vertices, from whichever corner (for triangles: the
@@ -20,6 +21,31 @@ impl Repeats {
     pub fn count(&self) -> usize {
         self.either_way.iter().enumerate().filter(|(f, first)| *f != **first as usize).count()
     }
+}
+
+/// Where edges are known, most meshes are known to have no faces that repeat others: these would share all their edges,
+/// with each other alone or with more faces.
+pub(super) fn find_by_edges(faces: &Faces, vertices: usize, edges: &Edges, of_half_edge: &[u32]) -> Result<Repeats> {
+    // The last one across an edge.
+    let mut beside = filled("faces", faces.len(), NONE)?;
+    for edge in edges.iter() {
+        let known = match *edge {
+            [_] => false,
+            [g, h] => {
+                let [f, g] = [g, h].map(|h| of_half_edge[h as usize]);
+                let known = f != g && (beside[f as usize] == g || beside[g as usize] == f);
+                (beside[f as usize], beside[g as usize]) = (g, f);
+                known
+            }
+            _ => true,
+        };
+        if known {
+            return find(faces, vertices);
+        }
+    }
+    let mut itself = beside;
+    itself.iter_mut().zip(0..).for_each(|(f, k)| *f = k);
+    Ok(Repeats { same_way: try_copy("faces", &itself)?, either_way: itself })
 }
 
 /// Finds them in near linear time.

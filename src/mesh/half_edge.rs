@@ -4,7 +4,7 @@
 use super::edges::{Edges, NONE};
 use super::faces::{Faces, filled, starts_from_counts};
 use super::{Mesh, Triangle};
-use crate::error::{Result, try_copy};
+use crate::error::{Result, try_copy, try_with_capacity};
 use std::ops::Range;
 
 /// The topology of a mesh as it stands: oriented, without collapsed faces; faces keep all
@@ -32,6 +32,11 @@ impl HalfEdges {
                 *mate = NONE;
             }
         }
+        HalfEdges::with_twins(vertices, faces, of_half_edge, twin)
+    }
+
+    fn with_twins(vertices: usize, faces: Faces, of_half_edge: Vec<u32>, twin: Vec<u32>) -> Result<HalfEdges> {
+        let corners = &faces.corners;
         let mut start = filled("vertices", vertices + 1, 0u32)?;
         for &v in corners {
             start[v as usize] += 1;
@@ -66,6 +71,23 @@ impl HalfEdges {
         let edges = Edges::of(vertices, faces.half_edges())?;
         let of_half_edge = faces.of_half_edges()?;
         HalfEdges::new(vertices, faces, of_half_edge, &edges)
+    }
+
+    /// The same, given the triangle across each edge, as a topology of them tells, and a number that is none.
+    pub(crate) fn of_neighbours(vertices: usize, triangles: &[Triangle], neighbours: &[[u32; 3]]) -> Result<HalfEdges> {
+        let mut faces = Faces::with_capacity(triangles.len(), 3 * triangles.len())?;
+        triangles.iter().zip(0..).for_each(|(t, k)| faces.push(&t.vertices, k));
+        let of_half_edge = faces.of_half_edges()?;
+        let mut twin = try_with_capacity("half-edges", faces.corners.len())?;
+        for (t, across) in triangles.iter().zip(neighbours) {
+            for k in 0..3 {
+                let (from, to) = (t.vertices[k], t.vertices[(k + 1) % 3]);
+                let back = |s: &Triangle| (0..3).find(|j| s.vertices[*j] == to && s.vertices[(j + 1) % 3] == from);
+                let other = triangles.get(across[k] as usize).and_then(back);
+                twin.push(other.map_or(NONE, |j| 3 * across[k] + j as u32));
+            }
+        }
+        HalfEdges::with_twins(vertices, faces, of_half_edge, twin)
     }
 
     /// The topology of the triangles of a mesh; none where its faces are triangles, so that they have it already.

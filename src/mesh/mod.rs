@@ -28,7 +28,7 @@ mod weld;
 
 pub(crate) use assembly::join;
 pub use assembly::{JoinTags, SplitBy};
-pub(crate) use build::{LARGEST_COORDINATE, build};
+pub(crate) use build::{LARGEST_COORDINATE, SMALLEST_DIAGONAL, build};
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};
 pub use diagnosis::{
@@ -39,6 +39,7 @@ pub use element::{Element, Measure};
 pub(crate) use faces::{Faces, Sets, filled};
 pub use half_edge::HalfEdges;
 pub(crate) use input::Input;
+pub(crate) use measure::volume;
 pub use options::{MeshOptions, Orient};
 pub use repair::{RepairOptions, Repairs};
 

@@ -38,6 +38,11 @@ impl<'a> Run<'a> {
         Run { pool: None, progress: self.progress }
     }
 
+    /// The same run without its progress: for a part of the work that what comes after it tells of.
+    pub(crate) fn silent(&self) -> Run<'a> {
+        Run { pool: self.pool, progress: None }
+    }
+
     /// Calls `work` once for each index below `chunks`. Of several failures the one of the lowest
     /// index that was reached is returned; a panic in `work` is [`Status::Internal`]. Progress is told
     /// after each chunk that the calling thread finishes, and 1 at the end.

@@ -9,15 +9,16 @@ use crate::math::{Vec3, length};
 /// Shewchuk's bound for a determinant of differences, rounded up.
 const BOUND: f64 = 8.0 * f64::EPSILON;
 
-/// Whether the triangles (center, ring\[k\], ring\[k + 1\]), and, where `closed`, the one from the last to the first
-/// point of the ring, are proved to meet in nothing but the edges and the vertex that neighbours share, and
-/// whether the points of the ring are farther than `slack` from all the triangles that they are no corners of.
-/// False proves nothing.
-pub(crate) fn is_clear(center: Vec3, ring: impl Fn(usize) -> Vec3, count: usize, closed: bool, slack: f64) -> bool {
+/// Whether the triangles between the vertex and the ends of two spokes that follow one another, and, where `closed`, of the
+/// last and the first spoke, are proved to meet in nothing but the edges and the vertex that neighbours share, and
+/// whether the ends of the spokes are farther than `slack` from all the triangles that they are no corners of.
+/// Spokes lead from the vertex. False proves nothing.
+pub(crate) fn is_clear(spokes: &[Vec3], closed: bool, slack: f64) -> bool {
+    let count = spokes.len();
     if count < 2 {
         return false;
     }
-    let spoke = |k: usize| ring(k) - center;
+    let spoke = |k: usize| spokes[k];
     let wedges = if closed { count } else { count - 1 };
     let next = |k: usize| if k + 1 == count { 0 } else { k + 1 };
     let (mut axis, mut reach) = (Vec3::ZERO, 0.0f64);
@@ -72,7 +73,8 @@ mod tests {
     use super::*;
 
     fn clear(center: Vec3, ring: &[Vec3], closed: bool, slack: f64) -> bool {
-        is_clear(center, |k| ring[k], ring.len(), closed, slack)
+        let spokes: Vec<Vec3> = ring.iter().map(|p| p - center).collect();
+        is_clear(&spokes, closed, slack)
     }
 
     /// Points at these turns round the z axis, on a cone.

@@ -38,7 +38,7 @@ fn intersections(mesh: &Mesh, limit: usize, run: &Run) -> Result<Intersections> 
         None => HalfEdges::of_pieces(mesh)?,
     };
     let topology = own.as_ref().unwrap_or(mesh.half_edges());
-    let contacts = Contacts::new(mesh.vertices(), triangles, topology, 0.0, true)?;
+    let contacts = Contacts::new(mesh.vertices(), triangles, topology, 0.0, true, run)?;
     let bounds = |t: usize| Aabb::of(triangles[t].corners(mesh.vertices()));
     let (tree, leaves) = Tree::build(triangles.len(), &bounds, LEAF_SIZE, run)?;
     // One more tells whether there are more.

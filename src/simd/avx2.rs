@@ -128,6 +128,24 @@ impl<S: HasAvx2> Float8<S> for Floats {
     }
 
     #[inline(always)]
+    fn swapped(self) -> Floats {
+        // SAFETY: see above.
+        Floats(unsafe { _mm256_permute2f128_ps::<1>(self.0, self.0) })
+    }
+
+    #[inline(always)]
+    fn bins(self, last: i32) -> [i32; WIDTH / 2] {
+        let mut bins = [0; WIDTH / 2];
+        // SAFETY: room for four; see above.
+        unsafe {
+            let sums = _mm_add_ps(_mm256_castps256_ps128(self.0), _mm256_extractf128_ps::<1>(self.0));
+            let whole = _mm_max_epi32(_mm_cvttps_epi32(sums), _mm_setzero_si128());
+            _mm_storeu_si128(bins.as_mut_ptr().cast(), _mm_min_epi32(whole, _mm_set1_epi32(last)));
+        }
+        bins
+    }
+
+    #[inline(always)]
     fn keys(self, child: &[u32; WIDTH]) -> Keys {
         // SAFETY: see above.
         keyed(unsafe { _mm256_castps_si256(self.0) }, child)

@@ -44,6 +44,10 @@ pub(crate) trait Float8<S>: Copy {
     /// A bit for each lane that is not greater than `limit`, NaN included.
     fn not_above(self, limit: f32) -> u32;
     fn lanes(self) -> [f32; WIDTH];
+    /// The upper four lanes first.
+    fn swapped(self) -> Self;
+    /// The sums of lanes four apart, without what is behind the point, and none below zero or above `last`.
+    fn bins(self, last: i32) -> [i32; WIDTH / 2];
     /// Positive numbers, as integers in their order with the lane in the last three bits; the greatest where there is no
     /// child.
     fn keys(self, child: &[u32; WIDTH]) -> Self::Keys;
@@ -149,6 +153,22 @@ impl Float8<Plain> for F32x8 {
     #[inline(always)]
     fn lanes(self) -> [f32; WIDTH] {
         self.0
+    }
+
+    #[inline(always)]
+    fn swapped(self) -> F32x8 {
+        let mut lanes = self.0;
+        lanes.rotate_left(WIDTH / 2);
+        F32x8(lanes)
+    }
+
+    #[inline(always)]
+    fn bins(self, last: i32) -> [i32; WIDTH / 2] {
+        let mut bins = [0; WIDTH / 2];
+        for k in 0..WIDTH / 2 {
+            bins[k] = ((self.0[k] + self.0[k + WIDTH / 2]) as i32).clamp(0, last);
+        }
+        bins
     }
 
     #[inline(always)]

@@ -71,6 +71,25 @@ TEST(options_reach_the_library) {
                            embound::from_mesh(plain, brute).fill(embound::Lattice(axis, axis, axis))));
 }
 
+TEST(vertices_move) {
+    embound::MeshOptions options;
+    options.weld_tolerance = -1.0;
+    const embound::Geometry g = embound::from_mesh(embound::Mesh::from_triangles(corners, triangles, {}, options));
+    std::vector<double> moved(corners.begin(), corners.end());
+    for (double &c : moved) {
+        c = 2.0 * c + 1.0;
+    }
+    const embound::Geometry h = embound::refit(g, moved);
+    CHECK(h(2.0, 2.0, 1.5) == -0.5 && g(0.5, 0.5, 0.25) == -0.25);
+    const embound::Pool pool(2);
+    CHECK(embound::refit(g, moved, embound::RefitCheck::Trust, embound::Run(pool))(2.0, 2.0, 1.5) == -0.5);
+    moved.pop_back();
+    CHECK(check::status_of([&] { embound::refit(g, moved); }, "xyz") == EMB_ERROR_INVALID_ARGUMENT);
+    moved.resize(3);
+    CHECK(check::status_of([&] { embound::refit(g, moved); }, "vertex_count") == EMB_ERROR_INVALID_ARGUMENT);
+    CHECK(check::status_of([&] { embound::refit(embound::complement(g), moved); }, "g: ") == EMB_ERROR_UNSUPPORTED);
+}
+
 TEST(a_mesh_survives_a_file) {
     const embound::Mesh mesh = embound::Mesh::from_triangles(corners, triangles);
     const std::string path = "embound_tests_cube.stl";

@@ -3,7 +3,9 @@
 //! outward and scaled. Four numbers stand side by side, for the compiler to take at once.
 
 use crate::bvh::Node;
+use crate::simd::float8::{Float8, Simd};
 use crate::simd::lanes::WIDTH;
+use crate::simd::{Kernel, dispatch};
 
 const BINS: usize = 16;
 
@@ -19,43 +21,24 @@ const SMALL: usize = 64;
 /// input.
 const SAH_DEPTH: usize = 16;
 
-/// Added to a number between 0 and 2^22, it leaves that number, rounded, in the last bits.
-const TO_BITS: f32 = 8_388_608.0;
-
-/// A box; the fourth numbers mean nothing.
+/// A box: its lower corner, and its upper one negated, so that one instruction makes the hull of two. The fourth
+/// numbers mean nothing.
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(16))]
-pub(super) struct Box4 {
-    lo: [f32; 4],
-    hi: [f32; 4],
-}
+#[repr(C, align(32))]
+pub(super) struct Box4([f32; WIDTH]);
 
 impl Box4 {
-    const EMPTY: Box4 = Box4 { lo: [f32::INFINITY; 4], hi: [f32::NEG_INFINITY; 4] };
-
-    #[inline(always)]
-    fn add(&mut self, other: &Box4) {
-        for k in 0..4 {
-            self.lo[k] = if other.lo[k] < self.lo[k] { other.lo[k] } else { self.lo[k] };
-            self.hi[k] = if other.hi[k] > self.hi[k] { other.hi[k] } else { self.hi[k] };
-        }
-    }
-
-    /// Half the surface area.
-    fn area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|k| self.hi[k] - self.lo[k]);
-        x * y + y * z + z * x
-    }
+    const EMPTY: Box4 = Box4([f32::INFINITY; WIDTH]);
 
     pub(super) fn put(&self, node: &mut Node, lane: usize, child: u32) {
         for axis in 0..3 {
-            (node.lo[axis][lane], node.hi[axis][lane]) = (self.lo[axis], self.hi[axis]);
+            (node.lo[axis][lane], node.hi[axis][lane]) = (self.0[axis], -self.0[axis + 4]);
         }
         node.child[lane] = child;
     }
 }
 
-/// A box and which one it is.
+/// A box, which one it is, and how many it stands for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Item {
     bounds: Box4,
@@ -65,32 +48,69 @@ impl Item {
     pub(super) const NONE: Item = Item { bounds: Box4::EMPTY };
 
     pub(super) fn new((lo, hi): ([f32; 3], [f32; 3]), index: usize) -> Item {
-        // As a number: of the fourth numbers only this one is looked at, and only as bits.
-        let index = f32::from_bits(index as u32);
-        Item { bounds: Box4 { lo: [lo[0], lo[1], lo[2], index], hi: [hi[0], hi[1], hi[2], 0.0] } }
+        let bounds = Box4([lo[0], lo[1], lo[2], 0.0, -hi[0], -hi[1], -hi[2], 0.0]);
+        Item { bounds }.numbered(index, 1)
+    }
+
+    /// As numbers: the fourth ones are only looked at as bits.
+    fn numbered(mut self, index: usize, weight: usize) -> Item {
+        (self.bounds.0[3], self.bounds.0[7]) = (f32::from_bits(index as u32), f32::from_bits(weight as u32));
+        self
+    }
+
+    /// What stands for some others.
+    pub(super) fn around(items: &[Item], index: usize) -> Item {
+        let mut bounds = Box4::EMPTY;
+        for item in items {
+            for k in 0..WIDTH {
+                bounds.0[k] = if item.bounds.0[k] < bounds.0[k] { item.bounds.0[k] } else { bounds.0[k] };
+            }
+        }
+        Item { bounds }.numbered(index, items.len())
     }
 
     pub(super) fn index(&self) -> u32 {
-        self.bounds.lo[3].to_bits()
+        self.bounds.0[3].to_bits()
+    }
+
+    #[inline(always)]
+    pub(super) fn weight(&self) -> u32 {
+        self.bounds.0[7].to_bits()
+    }
+
+    /// Where its centre is in a cube of so many places along each axis; what the hierarchy is over lies within.
+    pub(super) fn place(&self, places: u32) -> [u32; 3] {
+        let [x, y, z, _] = self.center();
+        [x, y, z].map(|c| ((0.5 * c + 0.5) * places as f32).clamp(0.0, places as f32 - 1.0) as u32)
     }
 
     /// Twice its centre.
     #[inline(always)]
     fn center(&self) -> [f32; 4] {
         let mut sum = [0.0; 4];
-        for k in 0..3 {
-            sum[k] = self.bounds.lo[k] + self.bounds.hi[k];
+        for k in 0..4 {
+            sum[k] = self.bounds.0[k] - self.bounds.0[k + 4];
         }
         sum
     }
 }
 
 /// The box of all.
-pub(super) fn hull(items: &[Item]) -> Box4 {
-    items.iter().fold(Box4::EMPTY, |mut all, item| {
-        all.add(&item.bounds);
-        all
-    })
+#[inline(always)]
+fn hull<S: Simd>(simd: S, items: &[Item]) -> Box4 {
+    let all = items.iter().fold(S::Float::splat(simd, f32::INFINITY), |all, item| load(simd, &item.bounds).min(all));
+    Box4(all.lanes())
+}
+
+/// What they weigh together.
+#[inline(always)]
+fn weight(items: &[Item]) -> u32 {
+    items.iter().map(Item::weight).sum()
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, b: &Box4) -> S::Float {
+    S::Float::load(simd, &b.0)
 }
 
 /// Some of the items one after another, and their box.
@@ -98,6 +118,7 @@ pub(super) fn hull(items: &[Item]) -> Box4 {
 struct Run {
     from: usize,
     to: usize,
+    weight: u32,
     bounds: Box4,
 }
 
@@ -107,53 +128,33 @@ impl Run {
     }
 }
 
-/// Up to eight runs of items, by how many each has and their box.
+/// Up to eight runs of items.
 pub(super) struct Runs {
     runs: [Run; WIDTH],
     count: usize,
 }
 
 impl Runs {
-    pub(super) fn iter(&self) -> impl Iterator<Item = (usize, Box4)> + '_ {
-        self.runs[..self.count].iter().map(|run| (run.count(), run.bounds))
+    /// How many each has, what they weigh together, and their box.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (usize, usize, Box4)> + '_ {
+        self.runs[..self.count].iter().map(|run| (run.count(), run.weight as usize, run.bounds))
     }
 }
 
-/// The numbers of bins of a point, along three axes.
+/// The numbers of the bins that a box's centre is in, along three axes.
 #[derive(Clone, Copy)]
 struct Scale {
-    lo: [f32; 4],
-    bins_a_unit: [f32; 4],
-    last: f32,
+    /// Half of twice the least centre, and negated.
+    from: Box4,
+    /// And negated.
+    bins_a_unit: Box4,
+    last: i32,
 }
 
 impl Scale {
-    /// (Each loop is one instruction.)
     #[inline(always)]
-    fn bins(&self, center: [f32; 4]) -> [u32; 4] {
-        let (mut at, mut bins) = ([0.0; 4], [0; 4]);
-        for k in 0..4 {
-            at[k] = center[k] - self.lo[k];
-        }
-        for k in 0..4 {
-            at[k] *= self.bins_a_unit[k];
-        }
-        for k in 0..4 {
-            at[k] -= 0.5;
-        }
-        for k in 0..4 {
-            at[k] = if at[k] > 0.0 { at[k] } else { 0.0 };
-        }
-        for k in 0..4 {
-            at[k] = if at[k] < self.last { at[k] } else { self.last };
-        }
-        for k in 0..4 {
-            at[k] += TO_BITS;
-        }
-        for k in 0..4 {
-            bins[k] = at[k].to_bits() & (BINS as u32 - 1);
-        }
-        bins
+    fn bins<S: Simd>(&self, simd: S, item: &Item) -> [i32; 4] {
+        load(simd, &item.bounds).sub(load(simd, &self.from)).mul(load(simd, &self.bins_a_unit)).bins(self.last)
     }
 }
 
@@ -173,136 +174,176 @@ pub(super) struct Splitter<'a> {
     pub(super) leaf_size: usize,
 }
 
-impl Splitter<'_> {
-    /// Orders the items into up to eight runs: the largest one is split while there is room and need.
-    pub(super) fn in_eight(&mut self, depth: usize) -> Runs {
-        let whole = Run { from: 0, to: self.items.len(), bounds: hull(self.items) };
+/// The kernel of [`Splitter::in_eight`].
+struct InEight<'a, 'b> {
+    splitter: &'b mut Splitter<'a>,
+    depth: usize,
+}
+
+impl Kernel for InEight<'_, '_> {
+    type Output = Runs;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Runs {
+        let Splitter { items, leaf_size } = self.splitter;
+        let whole = Run { from: 0, to: items.len(), weight: weight(items), bounds: hull(simd, items) };
         let mut all = Runs { runs: [whole; WIDTH], count: 1 };
-        if self.leaf_size == 1 && whole.count() <= WIDTH {
+        if *leaf_size == 1 && whole.count() <= WIDTH {
             all.count = whole.count();
-            for (k, item) in self.items.iter().enumerate() {
-                all.runs[k] = Run { from: k, to: k + 1, bounds: item.bounds };
+            for (k, item) in items.iter().enumerate() {
+                all.runs[k] = Run { from: k, to: k + 1, weight: 1, bounds: item.bounds };
             }
             return all;
         }
         while all.count < WIDTH {
             let runs = &all.runs[..all.count];
-            let largest = (1..runs.len()).fold(0, |a, b| if runs[b].count() > runs[a].count() { b } else { a });
-            if runs[largest].count() <= self.leaf_size {
+            // A single one cannot be split, whatever it stands for.
+            let size = |run: &Run| if run.count() > 1 { run.weight } else { 0 };
+            let largest = (1..runs.len()).fold(0, |a, b| if size(&runs[b]) > size(&runs[a]) { b } else { a });
+            if size(&runs[largest]) as usize <= *leaf_size {
                 break;
             }
-            let [left, right] = self.split(runs[largest], depth);
+            let Run { from, to, weight, .. } = runs[largest];
+            let (count, [left, right]) = split(simd, &mut items[from..to], *leaf_size, self.depth);
+            let middle = from + count;
+            let of_left = if weight as usize == to - from { count as u32 } else { self::weight(&items[from..middle]) };
             all.runs.copy_within(largest + 1..all.count, largest + 2);
-            (all.runs[largest], all.runs[largest + 1]) = (left, right);
+            all.runs[largest] = Run { from, to: middle, weight: of_left, bounds: left };
+            all.runs[largest + 1] = Run { from: middle, to, weight: weight - of_left, bounds: right };
             all.count += 1;
         }
         all
     }
+}
 
-    fn split(&mut self, run: Run, depth: usize) -> [Run; 2] {
-        let plane = if depth < SAH_DEPTH { self.best_plane(run) } else { None };
-        let (middle, [left, right]) = match plane {
-            Some(plane) => (self.partition(run, &plane), plane.bounds),
-            None => {
-                let middle = self.halve(run);
-                (middle, [hull(&self.items[run.from..middle]), hull(&self.items[middle..run.to])])
-            }
-        };
-        [Run { from: run.from, to: middle, bounds: left }, Run { from: middle, to: run.to, bounds: right }]
+impl Splitter<'_> {
+    /// Orders the items into up to eight runs: the largest one is split while there is room and need.
+    pub(super) fn in_eight(&mut self, depth: usize) -> Runs {
+        dispatch(InEight { splitter: self, depth })
     }
+}
 
-    fn extent_of_centers(&self, run: Run) -> Box4 {
-        let mut all = Box4::EMPTY;
-        for item in &self.items[run.from..run.to] {
-            let center = item.center();
-            all.add(&Box4 { lo: center, hi: center });
-        }
-        all
-    }
-
-    /// The axis and plane of least cost; none where the centres coincide.
-    fn best_plane(&self, run: Run) -> Option<Plane> {
-        let centers = self.extent_of_centers(run);
-        let extent = [0, 1, 2].map(|k| centers.hi[k] - centers.lo[k]);
-        let bins = if run.count() < FEW { FEW_BINS } else { BINS };
-        let mut scale = Scale { lo: centers.lo, bins_a_unit: [0.0; 4], last: (bins - 1) as f32 };
-        for k in 0..3 {
-            let bins_a_unit = bins as f32 / extent[k];
-            scale.bins_a_unit[k] = if bins_a_unit.is_finite() { bins_a_unit } else { 0.0 };
-        }
-        // Where every item has a box of its own at the end, small runs are worth one look.
-        let widest = (0..3).fold(0, |a, b| if extent[b] > extent[a] { b } else { a });
-        let is_small = self.leaf_size == 1 && run.count() < SMALL;
-        let axes = if is_small { widest..widest + 1 } else { 0..3 };
-        let mut boxes = [[Box4::EMPTY; BINS]; 3];
-        let mut counts = [[0u32; BINS]; 3];
-        for item in &self.items[run.from..run.to] {
-            let place = scale.bins(item.center());
-            for axis in axes.clone() {
-                let bin = place[axis] as usize & (BINS - 1);
-                boxes[axis][bin].add(&item.bounds);
-                counts[axis][bin] += 1;
-            }
-        }
-        let mut best: Option<(f32, Plane)> = None;
-        for axis in axes {
-            if scale.bins_a_unit[axis] == 0.0 {
-                continue;
-            }
-            let mut above = [(0, Box4::EMPTY); BINS];
-            for i in (0..bins - 1).rev() {
-                above[i] = (above[i + 1].0 + counts[axis][i + 1], above[i + 1].1);
-                above[i].1.add(&boxes[axis][i + 1]);
-            }
-            let mut below = (0, Box4::EMPTY);
-            for i in 0..bins - 1 {
-                below.0 += counts[axis][i];
-                below.1.add(&boxes[axis][i]);
-                if below.0 == 0 || above[i].0 == 0 {
-                    continue;
-                }
-                let cost = self.leaves(below.0) * below.1.area() + self.leaves(above[i].0) * above[i].1.area();
-                if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                    best = Some((cost, Plane { scale, axis, bin: i + 1, bounds: [below.1, above[i].1] }));
-                }
-            }
-        }
-        best.map(|(_, plane)| plane)
-    }
-
-    /// Leaves that so many items fill.
-    fn leaves(&self, count: u32) -> f32 {
-        count.div_ceil(self.leaf_size as u32) as f32
-    }
-
-    /// Moves the items of the lower bins to the front; where the upper ones begin.
-    fn partition(&mut self, run: Run, plane: &Plane) -> usize {
-        let items = &mut self.items[run.from..run.to];
-        let is_lower = |item: &Item| plane.scale.bins(item.center())[plane.axis] < plane.bin as u32;
-        let (mut low, mut high) = (0, items.len());
-        loop {
-            while low < high && is_lower(&items[low]) {
-                low += 1;
-            }
-            while low < high && !is_lower(&items[high - 1]) {
-                high -= 1;
-            }
-            if low >= high {
-                return run.from + low;
-            }
-            items.swap(low, high - 1);
-            (low, high) = (low + 1, high - 1);
+/// How many items come first, and the boxes of both sides.
+#[inline(always)]
+fn split<S: Simd>(simd: S, items: &mut [Item], leaf_size: usize, depth: usize) -> (usize, [Box4; 2]) {
+    let centers = extent_of_centers(simd, items);
+    let plane = if depth < SAH_DEPTH { best_plane(simd, items, leaf_size, centers) } else { None };
+    match plane {
+        Some(plane) => (partition(simd, items, &plane), plane.bounds),
+        None => {
+            let middle = halve(items, leaf_size, centers);
+            (middle, [hull(simd, &items[..middle]), hull(simd, &items[middle..])])
         }
     }
+}
 
-    /// Two halves along the longest extent of the centres, cut at a multiple of the leaf size.
-    fn halve(&mut self, run: Run) -> usize {
-        let centers = self.extent_of_centers(run);
-        let extent = [0, 1, 2].map(|k| centers.hi[k] - centers.lo[k]);
-        let axis = (0..3).fold(0, |a, b| if extent[b] > extent[a] { b } else { a });
-        let key = |item: &Item| item.center()[axis];
-        let items = &mut self.items[run.from..run.to];
-        items.sort_unstable_by(|a, b| key(a).total_cmp(&key(b)).then(a.index().cmp(&b.index())));
-        run.from + (run.count() / 2).next_multiple_of(self.leaf_size).min(run.count() - 1)
+/// As a box: the least, and the greatest negated.
+#[inline(always)]
+fn extent_of_centers<S: Simd>(simd: S, items: &[Item]) -> Box4 {
+    let mut all = S::Float::splat(simd, f32::INFINITY);
+    for item in items {
+        let bounds = load(simd, &item.bounds);
+        all = bounds.sub(bounds.swapped()).min(all);
     }
+    Box4(all.lanes())
+}
+
+/// The axis and plane of least cost; none where the centres coincide.
+#[inline(always)]
+fn best_plane<S: Simd>(simd: S, items: &[Item], leaf_size: usize, centers: Box4) -> Option<Plane> {
+    let extent = [0, 1, 2].map(|k| -centers.0[k + 4] - centers.0[k]);
+    let bins = if items.len() < FEW { FEW_BINS } else { BINS };
+    let mut scale = Scale { from: Box4([0.0; WIDTH]), bins_a_unit: Box4([0.0; WIDTH]), last: bins as i32 - 1 };
+    for k in 0..3 {
+        let bins_a_unit = bins as f32 / extent[k];
+        let bins_a_unit = if bins_a_unit.is_finite() { bins_a_unit } else { 0.0 };
+        (scale.from.0[k], scale.from.0[k + 4]) = (0.5 * centers.0[k], -0.5 * centers.0[k]);
+        (scale.bins_a_unit.0[k], scale.bins_a_unit.0[k + 4]) = (bins_a_unit, -bins_a_unit);
+    }
+    // Where every item has a box of its own at the end, small runs are worth one look.
+    let widest = (0..3).fold(0, |a, b| if extent[b] > extent[a] { b } else { a });
+    let is_small = leaf_size == 1 && items.len() < SMALL;
+    let mut boxes = [[Box4::EMPTY; BINS]; 3];
+    let mut counts = [[0u32; BINS]; 3];
+    let put = |item: &Item, bin: usize, boxes: &mut [Box4; BINS], counts: &mut [u32; BINS]| {
+        boxes[bin & (BINS - 1)].0 = load(simd, &item.bounds).min(load(simd, &boxes[bin & (BINS - 1)])).lanes();
+        counts[bin & (BINS - 1)] += item.weight();
+    };
+    if is_small {
+        for item in items {
+            put(item, scale.bins(simd, item)[widest] as usize, &mut boxes[widest], &mut counts[widest]);
+        }
+    } else {
+        for item in items {
+            let place = scale.bins(simd, item);
+            for axis in 0..3 {
+                put(item, place[axis] as usize, &mut boxes[axis], &mut counts[axis]);
+            }
+        }
+    }
+    let per_leaf = 1.0 / leaf_size as f32;
+    let cost =
+        |count: u32, hull: S::Float| ((count + leaf_size as u32 - 1) as f32 * per_leaf) as u32 as f32 * area(hull);
+    let (mut least, mut at) = (f32::INFINITY, None);
+    for axis in if is_small { widest..widest + 1 } else { 0..3 } {
+        if scale.bins_a_unit.0[axis] == 0.0 {
+            continue;
+        }
+        let (boxes, counts) = (&boxes[axis], &counts[axis]);
+        let mut below = [0.0; BINS];
+        let (mut count, mut hull) = (0, S::Float::splat(simd, f32::INFINITY));
+        for i in 1..bins {
+            count += counts[i - 1];
+            hull = load(simd, &boxes[i - 1]).min(hull);
+            below[i] = cost(count, hull);
+        }
+        let all = count + counts[bins - 1];
+        (count, hull) = (0, S::Float::splat(simd, f32::INFINITY));
+        for i in (1..bins).rev() {
+            count += counts[i];
+            hull = load(simd, &boxes[i]).min(hull);
+            let sum = below[i] + cost(count, hull);
+            // A side without items has an infinite cost, or none that is a number.
+            if sum < least && count < all {
+                (least, at) = (sum, Some((axis, i)));
+            }
+        }
+    }
+    let (axis, bin) = at?;
+    let side = |bins: &[Box4]| {
+        let none = S::Float::splat(simd, f32::INFINITY);
+        Box4(bins.iter().fold(none, |all, one| load(simd, one).min(all)).lanes())
+    };
+    let bounds = [side(&boxes[axis][..bin]), side(&boxes[axis][bin..bins])];
+    Some(Plane { scale, axis, bin, bounds })
+}
+
+/// Half the surface area of a box.
+#[inline(always)]
+fn area<S: Simd, F: Float8<S>>(hull: F) -> f32 {
+    // Negated, all of them.
+    let [x, y, z, ..] = hull.add(hull.swapped()).lanes();
+    x * y + y * z + z * x
+}
+
+/// Moves the items of the lower bins to the front; where the upper ones begin. Without branches: which side an item is
+/// on cannot be foretold.
+#[inline(always)]
+fn partition<S: Simd>(simd: S, items: &mut [Item], plane: &Plane) -> usize {
+    let mut low = 0;
+    for k in 0..items.len() {
+        let item = items[k];
+        items.swap(low, k);
+        low += usize::from(plane.scale.bins(simd, &item)[plane.axis] < plane.bin as i32);
+    }
+    low
+}
+
+/// Two halves along the longest extent of the centres, cut at a multiple of the leaf size.
+fn halve(items: &mut [Item], leaf_size: usize, centers: Box4) -> usize {
+    let extent = [0, 1, 2].map(|k| -centers.0[k + 4] - centers.0[k]);
+    let axis = (0..3).fold(0, |a, b| if extent[b] > extent[a] { b } else { a });
+    let key = |item: &Item| item.center()[axis];
+    items.sort_unstable_by(|a, b| key(a).total_cmp(&key(b)).then(a.index().cmp(&b.index())));
+    (items.len() / 2).next_multiple_of(leaf_size).min(items.len() - 1)
 }

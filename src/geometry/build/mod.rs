@@ -10,7 +10,7 @@ mod transform;
 pub(in crate::geometry) use check::{between, direction, finite_number, half_angle, not_negative, positive};
 
 use super::node::Node;
-use super::properties::{Function, FunctionOptions, SdfOptions};
+use super::properties::{Function, FunctionOptions, RefitCheck, SdfOptions};
 use super::shape::{Cuboid, Shape, Sphere};
 use super::summary::Summary;
 use super::surface::Surface;
@@ -43,6 +43,38 @@ impl Geometry {
     /// [`crate::geometry::SignMethod::None`]. O(n log n).
     pub fn from_mesh(mesh: &Mesh, options: &SdfOptions, run: &Run) -> Result<Geometry> {
         Geometry::new(Node::Surface(Box::new(Surface::new(mesh, options, run)?)))
+    }
+
+    /// The distance to the same faces over vertices that have moved: `xyz` holds three coordinates for each of
+    /// [`Mesh::vertices`], in their order. Values are those of [`Geometry::from_mesh`] of such a mesh, bit for bit. Shares
+    /// with this one what does not change. O(n), and about as much again for [`RefitCheck::Check`]; for rigid motions,
+    /// [`Geometry::place`] is O(1).
+    ///
+    /// # Errors
+    /// [`crate::Status::Unsupported`] where this is not what [`Geometry::from_mesh`] made, but something made of it;
+    /// [`crate::Status::InvalidArgument`]: the count, a coordinate that is not finite or beyond 1e100, a box whose diagonal
+    /// is not above 1e-90; [`crate::Status::Topology`]: the surface is turned inside out, or does not keep what the
+    /// pseudonormals need where they were asked for.
+    pub fn refit(&self, xyz: &[f64], check: RefitCheck, run: &Run) -> Result<Geometry> {
+        Geometry::new(Node::Surface(Box::new(self.own_surface()?.refit(xyz, check, run)?)))
+    }
+
+    /// How many vertices [`Geometry::refit`] takes.
+    ///
+    /// # Errors
+    /// [`crate::Status::Unsupported`] as there.
+    pub fn vertices_to_move(&self) -> Result<usize> {
+        Ok(self.own_surface()?.vertex_count())
+    }
+
+    fn own_surface(&self) -> Result<&Surface> {
+        match self.node() {
+            Node::Surface(surface) => Ok(surface),
+            other => Err(Error::unsupported(format!(
+                "g: it is {}, not what emb_geom_from_mesh made of a mesh; refit that, and make this of it anew",
+                other.kind()
+            ))),
+        }
     }
 
     /// A ball. The radius is finite and > 0.

@@ -7,10 +7,10 @@
 use super::Contacts;
 use super::collect::Chunk;
 use super::groups::GROUP;
-use crate::bvh::{ALONE, LEAF_SIZE, Pairs, Tree};
+use crate::bvh::{ALONE, LEAF_SIZE, Pairs, Scratch, Tree};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, length, unit};
-use crate::parallel;
+use crate::parallel::Run;
 
 /// Room for the rounding of a unit vector.
 const ROUNDING: f64 = 1e-14;
@@ -66,12 +66,13 @@ impl Contacts<'_> {
         }
         let mut boxes = try_with_capacity("boxes", spreads.len())?;
         boxes.extend(spreads.iter().map(bounds));
-        let (tree, leaves) = Tree::build(boxes.len(), &|k| boxes[k], LEAF_SIZE, &parallel::Run::SERIAL)?;
-        let pairs = Pairs::new(&tree, &leaves.order, &leaves.start, |k| boxes[k as usize], groups)?;
-        let (mut stack, mut near) = (Vec::new(), Vec::new());
+        let serial = Run::SERIAL;
+        let (tree, leaves) = Tree::build(boxes.len(), &|k| boxes[k], LEAF_SIZE, &serial)?;
+        let pairs = Pairs::new(&tree, &leaves.order, &leaves.start, |k| boxes[k as usize], groups, &serial)?;
+        let (mut scratch, mut near) = (Scratch::default(), Vec::new());
         for leaf in 0..pairs.leaf_count() {
             near.clear();
-            pairs.of_leaf(leaf, &|_, _| false, &mut stack, &mut near)?;
+            pairs.of_leaves(leaf..leaf + 1, &|_, _| false, &mut scratch, &mut near)?;
             for pair in &near {
                 let [s, t] = pair.map(|k| spreads[k as usize].triangle);
                 if self.touch_at(hub, s, t) {

@@ -10,10 +10,10 @@ mod groups;
 mod hub;
 mod star;
 
-use crate::bvh::{Leaves, Pairs, Tree};
-use crate::error::{Error, Result, try_with_capacity};
+use crate::bvh::{Leaves, Pairs, Scratch, Tree};
+use crate::error::{Error, Result};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::{HalfEdges, Triangle};
+use crate::mesh::{HalfEdges, Triangle, filled};
 use crate::parallel::Run;
 use crate::primitive::contact::{are_clear, folded, meet_beyond_corner, triangles_touch};
 use crate::primitive::polygon::are_collinear;
@@ -25,6 +25,12 @@ use std::ops::Range;
 /// Vertices and leaves of a chunk of work.
 const VERTICES: usize = 4096;
 const LEAVES: usize = 256;
+
+/// Triangles for a thread to do in one go.
+const PIECE: usize = 4096;
+
+/// Leaves whose pairs wait for being looked at.
+const FEW: usize = 32;
 
 /// The surface to look at. No two triangles have the same three vertices unless their faces overlap.
 pub(crate) struct Contacts<'a> {
@@ -55,12 +61,16 @@ impl<'a> Contacts<'a> {
         topology: &'a HalfEdges,
         slack: f64,
         faces_alone: bool,
+        run: &Run,
     ) -> Result<Self> {
-        let mut flat = try_with_capacity("triangles", triangles.len())?;
-        flat.extend(triangles.iter().map(|t| {
-            let [a, b, c] = t.corners(vertices);
-            are_collinear(a, b, c)
-        }));
+        let mut flat = filled("triangles", triangles.len(), false)?;
+        run.silent().for_each_piece(&mut flat, PIECE, &|from, piece| {
+            for (flat, t) in piece.iter_mut().zip(&triangles[from..]) {
+                let [a, b, c] = t.corners(vertices);
+                *flat = are_collinear(a, b, c);
+            }
+            Ok(())
+        })?;
         Ok(Contacts { vertices, triangles, topology, flat, slack, faces_alone })
     }
 
@@ -74,7 +84,7 @@ impl<'a> Contacts<'a> {
     /// order of the search, and so what is found, does not depend on the run.
     pub fn find(&self, tree: &Tree, leaves: &Leaves, limit: usize, run: &Run) -> Result<Found> {
         let groups = self.groups()?;
-        let pairs = Pairs::new(tree, &leaves.order, &leaves.start, |t| self.bounds(t), &groups.of_triangle)?;
+        let pairs = Pairs::new(tree, &leaves.order, &leaves.start, |t| self.bounds(t), &groups.of_triangle, run)?;
         let stars = self.vertices.len().div_ceil(VERTICES);
         let chunks = stars + pairs.leaf_count().div_ceil(LEAVES);
         let collector = Collector::new(chunks, limit)?;
@@ -98,10 +108,10 @@ impl<'a> Contacts<'a> {
     /// Pairs that share no vertex.
     fn among_leaves(&self, pairs: &Pairs, groups: &Groups, leaves: Range<usize>, found: &mut Chunk) -> Result<()> {
         let apart = |members: &[u32], group: u32| self.is_apart(members, groups.fans[group as usize]);
-        let (mut stack, mut near) = (Vec::new(), Vec::new());
-        for leaf in leaves {
+        let (mut scratch, mut near) = (Scratch::default(), Vec::new());
+        for from in leaves.clone().step_by(FEW) {
             near.clear();
-            pairs.of_leaf(leaf, &apart, &mut stack, &mut near)?;
+            pairs.of_leaves(from..leaves.end.min(from + FEW), &apart, &mut scratch, &mut near)?;
             for &[s, t] in &near {
                 if self.touch_apart(s, t) {
                     found.add([s, t])?;

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
-use super::{ALONE, Corners, Doubts, Leaf, NO_TRIANGLE, Sides, Sign, Surface};
-use crate::bvh::{LEAF_SIZE, Tree};
+use super::normals::normals;
+use super::{ALONE, Corners, Doubts, Kept, Leaf, NO_TRIANGLE, PIECE, Sides, Sign, Surface};
+use crate::bvh::{LEAF_SIZE, Leaves, Tree};
 use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::{HalfEdges, Mesh, filled};
 use crate::parallel::Run;
 use crate::primitive::estimate::Estimates;
-use crate::primitive::triangle;
 use crate::simd::lanes::WIDTH;
-
-/// Leaves or triangles that a thread does in one go.
-const PIECE: usize = 2048;
+use std::sync::Arc;
 
 impl Surface {
     /// Builds the distance to a mesh. O(n log n), the check that it does not pass through itself included.
@@ -23,14 +21,83 @@ impl Surface {
         let mesh = distinct.as_ref().unwrap_or(mesh);
         let of_triangles = HalfEdges::of_pieces(mesh)?;
         let topology = of_triangles.as_ref().unwrap_or(mesh.half_edges());
-        let mut surface = assemble(mesh, topology, sign, run)?;
+        if mesh.triangles().is_empty() {
+            return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
+        }
+        let (triangles, neighbours) = shape(mesh, topology, run)?;
+        let kept = Kept { triangles: Arc::new(triangles), topology: Arc::new(neighbours), asked: (options.sign, sign) };
+        let (vertices, pieces) = (mesh.vertices(), mesh.triangles());
+        let bounds = |t: usize| Aabb::of(pieces[t].corners(vertices));
+        let silent = run.silent();
+        let (tree, leaves) = Tree::build(pieces.len(), &bounds, LEAF_SIZE, &silent)?;
+        let far_winding = i32::from(sign != Sign::Unsigned && mesh.surface().volume < 0.0);
+        let vertices = try_copy("vertices", vertices)?;
+        let mut surface = Surface::over(kept, vertices, (tree, &leaves), topology, far_winding, &silent)?;
         if surface.sign == Sign::Pseudonormal {
-            surface.distrust_unclear_normals(mesh);
-            surface.check_embedding(mesh, topology, options.sign, run)?;
+            surface.check_embedding(pieces, topology, &leaves, run)?;
         }
         surface.sides = Sides::new(&surface)?;
         if options.accelerator == Accelerator::None {
             (surface.tree, surface.leaves) = (None, Vec::new());
+        }
+        Ok(surface)
+    }
+
+    /// Lays everything out. The sign is that which the topology of the triangles allows; it is not checked yet.
+    pub(super) fn over(
+        kept: Kept,
+        vertices: Vec<Vec3>,
+        (mut tree, order): (Tree, &Leaves),
+        topology: &HalfEdges,
+        far_winding: i32,
+        run: &Run,
+    ) -> Result<Surface> {
+        let triangles = &kept.triangles;
+        let corners = |t: usize| {
+            let [a, b, c] = triangles[t].vertex;
+            [vertices[a as usize], vertices[b as usize], vertices[c as usize]]
+        };
+        let none = Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] };
+        let mut leaves = filled("leaves", order.start.len() - 1, none)?;
+        run.for_each_piece(&mut leaves, PIECE / WIDTH, &|from, leaves| {
+            for (k, leaf) in (from..).zip(leaves) {
+                let members = order.start[k] as usize..order.start[k + 1] as usize;
+                for (lane, &t) in order.order[members].iter().enumerate() {
+                    leaf.estimates.set(lane, corners(t as usize).map(|c| tree.place(c)));
+                    leaf.triangle[lane] = t;
+                }
+            }
+            Ok(())
+        })?;
+        tree.fit(order, &|t| corners(t as usize), run)?;
+        let (normals, vertex_normals) = normals(triangles.len(), &corners, topology, vertices.len(), run)?;
+        let mut boxes = filled("boxes", triangles.len().div_ceil(PIECE), Aabb::EMPTY)?;
+        run.for_each_piece(&mut boxes, 1, &|piece, hull| {
+            let members = piece * PIECE..triangles.len().min((piece + 1) * PIECE);
+            hull[0] = members.map(|t| Aabb::of(corners(t))).fold(Aabb::EMPTY, Aabb::hull);
+            Ok(())
+        })?;
+        let bounds = boxes.into_iter().fold(Aabb::EMPTY, Aabb::hull);
+        let sign = kept.asked.1;
+        let mut surface = Surface {
+            leaves,
+            tree: Some(tree),
+            vertices,
+            triangles: kept.triangles,
+            normals,
+            neighbours: kept.topology.clone(),
+            topology: kept.topology,
+            vertex_normals,
+            bounds,
+            diagonal: bounds.diagonal(),
+            sign,
+            asked: kept.asked,
+            doubts: Doubts::default(),
+            sides: Sides::default(),
+            far_winding,
+        };
+        if sign == Sign::Pseudonormal {
+            surface.distrust_unclear_normals(topology, run)?;
         }
         Ok(surface)
     }
@@ -79,38 +146,17 @@ fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
     }
 }
 
-/// Lays everything out; the sign is not checked yet. `topology` is that of the triangles.
-fn assemble(mesh: &Mesh, topology: &HalfEdges, sign: Sign, run: &Run) -> Result<Surface> {
-    // What comes after it tells the progress.
-    let run = &Run { progress: None, ..*run };
-    let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
-    if triangles.is_empty() {
-        return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
-    }
-    let corners = |t: usize| triangles[t].corners(vertices);
-    let (mut tree, order) = Tree::build(triangles.len(), &|t| Aabb::of(corners(t)), LEAF_SIZE, run)?;
-    let none = Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] };
-    let mut leaves = filled("leaves", order.start.len() - 1, none)?;
-    run.for_each_piece(&mut leaves, PIECE, &|from, leaves| {
-        for (k, leaf) in (from..).zip(leaves) {
-            let members = order.start[k] as usize..order.start[k + 1] as usize;
-            for (lane, &t) in order.order[members].iter().enumerate() {
-                leaf.estimates.set(lane, corners(t as usize).map(|c| tree.place(c)));
-                leaf.triangle[lane] = t;
-            }
-        }
-        Ok(())
-    })?;
-    tree.fit(&order, &|t| corners(t as usize), run)?;
-    drop(order);
-    let mut normals = filled("normals", triangles.len(), Vec3::ZERO)?;
-    run.for_each_piece(&mut normals, PIECE, &|from, normals| {
-        normals.iter_mut().enumerate().for_each(|(k, n)| *n = triangle::normal(corners(from + k)));
-        Ok(())
-    })?;
-    let mut neighbours = try_with_capacity("neighbours", triangles.len())?;
+/// The triangles of a mesh and their neighbours. `topology` is that of the triangles.
+fn shape(mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<(Vec<Corners>, Vec<[u32; 3]>)> {
+    let run = &run.silent();
+    let triangles = mesh.triangles();
+    let mut neighbours = filled("neighbours", triangles.len(), [ALONE; 3])?;
     let neighbour = |h: u32| topology.twin(h).map_or(ALONE, |twin| topology.face(twin));
-    neighbours.extend((0..triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2].map(neighbour)));
+    run.for_each_piece(&mut neighbours, PIECE, &|from, piece| {
+        let of = |t: u32| [3 * t, 3 * t + 1, 3 * t + 2].map(neighbour);
+        piece.iter_mut().zip(from as u32..).for_each(|(neighbours, t)| *neighbours = of(t));
+        Ok(())
+    })?;
     let mut laid_out = try_with_capacity("triangles", triangles.len())?;
     let mut first = 0;
     laid_out.extend(triangles.iter().enumerate().map(|(k, t)| {
@@ -120,20 +166,5 @@ fn assemble(mesh: &Mesh, topology: &HalfEdges, sign: Sign, run: &Run) -> Result<
         let piece = 2 * (k - first) as u32 + u32::from(t.turned);
         Corners { vertex: t.vertices, face: t.face, tag: mesh.tag(t.face), piece }
     }));
-    let bounds = Aabb::of((0..triangles.len()).flat_map(corners));
-    Ok(Surface {
-        leaves,
-        tree: Some(tree),
-        vertices: try_copy("vertices", vertices)?,
-        triangles: laid_out,
-        normals,
-        neighbours,
-        vertex_normals: mesh.pseudonormals()?.vertex,
-        bounds,
-        diagonal: bounds.diagonal(),
-        sign,
-        doubts: Doubts::default(),
-        sides: Sides::default(),
-        far_winding: i32::from(sign != Sign::Unsigned && mesh.surface().volume < 0.0),
-    })
+    Ok((laid_out, neighbours))
 }

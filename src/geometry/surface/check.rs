@@ -6,65 +6,33 @@
 //! misses an edge that pokes through a face between two vertices, and needs fewer crossing counts: one a
 //! region.
 
-use super::{Doubts, NO_TRIANGLE, Sign, Surface, UNCLEAR};
+use super::{Doubts, Sign, Surface, UNCLEAR};
 use crate::bvh::Leaves;
-use crate::error::{Error, Result, Status, try_with_capacity};
+use crate::error::{Error, Result, Status};
 use crate::geometry::SignMethod;
 use crate::geometry::contacts::Contacts;
 use crate::math::Vec3;
-use crate::mesh::{HalfEdges, Mesh, Sets};
+use crate::mesh::{HalfEdges, Sets, Triangle, filled};
 use crate::parallel::Run;
-use std::collections::{HashMap, HashSet};
 
 /// Where more pairs meet than this and one in so many triangles, crossings decide everywhere.
 const LEAST_MOST: usize = 64;
 const SHARE: usize = 32;
 
 impl Surface {
-    /// Zeroes the pseudonormals that say nothing of the surface beyond them, and leaves those places to
-    /// the crossings: at triangles without area, and at vertices where several fans of faces meet.
-    pub(super) fn distrust_unclear_normals(&mut self, mesh: &Mesh) {
-        let topology = mesh.half_edges();
-        for (v, normal) in self.vertex_normals.iter_mut().enumerate() {
-            let outgoing = topology.outgoing(v as u32);
-            if outgoing.first().is_none_or(|&h| topology.around_vertex(h).count() != outgoing.len()) {
-                *normal = Vec3::ZERO;
-            }
-        }
-        let mut edges = HashSet::new();
-        for t in 0..self.triangles.len() {
-            if self.normal(t as u32) == Vec3::ZERO {
-                let v = self.triangles[t].vertex;
-                for k in 0..3 {
-                    self.vertex_normals[v[k] as usize] = Vec3::ZERO;
-                    edges.insert(undirected(v[k], v[(k + 1) % 3]));
-                }
-            }
-        }
-        if edges.is_empty() {
-            return;
-        }
-        for (t, neighbours) in self.triangles.iter().zip(&mut self.neighbours) {
-            for (k, neighbour) in neighbours.iter_mut().enumerate() {
-                if edges.contains(&undirected(t.vertex[k], t.vertex[(k + 1) % 3])) {
-                    *neighbour = UNCLEAR;
-                }
-            }
-        }
-    }
-
     /// Hands the sign to the crossings where the surface is not embedded: near triangles that meet others, and near
     /// regions between those that do not have the outside on one and the inside on the other side. `topology` is that
     /// of the triangles.
     pub(super) fn check_embedding(
         &mut self,
-        mesh: &Mesh,
+        triangles: &[Triangle],
         topology: &HalfEdges,
-        asked: SignMethod,
+        leaves: &Leaves,
         run: &Run,
     ) -> Result<()> {
+        let asked = self.asked.0;
         let most = if asked == SignMethod::Pseudonormal { 0 } else { LEAST_MOST + self.triangles.len() / SHARE };
-        let pairs = self.contacts(mesh, topology, most + 1, run)?;
+        let pairs = self.contacts(triangles, topology, leaves, most + 1, run)?;
         if asked == SignMethod::Pseudonormal {
             let fault = match pairs.first() {
                 Some(&[t, s]) => format!(
@@ -88,42 +56,50 @@ impl Surface {
         let mut doubts = Doubts::default();
         pairs.iter().flatten().try_for_each(|&t| doubts.add(t, count))?;
         self.misplaced_regions(&doubts)?.into_iter().try_for_each(|t| doubts.add(t, count))?;
-        self.doubt(doubts);
-        Ok(())
+        self.doubt(doubts)
     }
 
     /// Leaves what is nearest to doubtful triangles to the crossings.
-    fn doubt(&mut self, doubts: Doubts) {
+    pub(super) fn doubt(&mut self, doubts: Doubts) -> Result<()> {
+        if doubts.bits.is_empty() {
+            return Ok(());
+        }
         let all = 0..self.triangles.len() as u32;
         if all.clone().all(|t| doubts.has(t)) {
             self.sign = Sign::Crossings;
-            return;
+            return Ok(());
         }
-        for t in all.filter(|&t| doubts.has(t)) {
+        let neighbours = self.own_neighbours()?;
+        for t in all.clone().filter(|&t| doubts.has(t)) {
             for k in 0..3 {
-                self.vertex_normals[self.triangles[t as usize].vertex[k] as usize] = Vec3::ZERO;
-                let neighbour = std::mem::replace(&mut self.neighbours[t as usize][k], UNCLEAR);
+                let neighbour = std::mem::replace(&mut neighbours[t as usize][k], UNCLEAR);
                 if neighbour < UNCLEAR {
-                    let back = self.neighbours[neighbour as usize].iter_mut().filter(|n| **n == t);
+                    let back = neighbours[neighbour as usize].iter_mut().filter(|n| **n == t);
                     back.for_each(|n| *n = UNCLEAR);
                 }
             }
         }
+        for t in all.filter(|&t| doubts.has(t)) {
+            for v in self.triangles[t as usize].vertex {
+                self.vertex_normals[v as usize] = Vec3::ZERO;
+            }
+        }
         self.doubts = doubts;
+        Ok(())
     }
 
     /// Pairs of triangles that meet where they should not, up to so many: of all such pairs the same ones in every run.
-    fn contacts(&self, mesh: &Mesh, topology: &HalfEdges, limit: usize, run: &Run) -> Result<Vec<[u32; 2]>> {
+    fn contacts(
+        &self,
+        triangles: &[Triangle],
+        topology: &HalfEdges,
+        leaves: &Leaves,
+        limit: usize,
+        run: &Run,
+    ) -> Result<Vec<[u32; 2]>> {
         let Some(tree) = &self.tree else { return Ok(Vec::new()) };
-        let contacts = Contacts::new(&self.vertices, mesh.triangles(), topology, self.rounding(), false)?;
-        let mut order = try_with_capacity("triangles", self.triangles.len())?;
-        let mut start = try_with_capacity("leaves", self.leaves.len() + 1)?;
-        start.push(0);
-        for leaf in &self.leaves {
-            order.extend(leaf.triangle.iter().filter(|t| **t != NO_TRIANGLE));
-            start.push(order.len() as u32);
-        }
-        Ok(contacts.find(tree, &Leaves { order, start }, limit, run)?.pairs)
+        let contacts = Contacts::new(&self.vertices, triangles, topology, self.rounding(), false, run)?;
+        Ok(contacts.find(tree, leaves, limit, run)?.pairs)
     }
 
     /// Walls thinner than this have one side to a point beside them: either of their faces may be the nearest.
@@ -144,16 +120,19 @@ impl Surface {
             }
         }
         // What a triangle with a normal says of its region.
-        let mut is_right = HashMap::new();
+        let mut is_right = filled("regions", self.triangles.len(), None)?;
         for t in all.clone().filter(|&t| !doubts.has(t)) {
-            let normal = self.normal(t);
-            if normal != Vec3::ZERO {
-                is_right.entry(regions.find(t)).or_insert_with(|| self.sides_are_right(t, normal));
+            let (normal, region) = (self.normal(t), regions.find(t) as usize);
+            if is_right[region].is_none() && normal != Vec3::ZERO {
+                is_right[region] = Some(self.sides_are_right(t, normal));
             }
         }
         let mut misplaced = Vec::new();
+        if !is_right.contains(&Some(false)) {
+            return Ok(misplaced);
+        }
         for t in all.filter(|&t| !doubts.has(t)) {
-            if is_right.get(&regions.find(t)) == Some(&false) {
+            if is_right[regions.find(t) as usize] == Some(false) {
                 misplaced.try_reserve(1).map_err(|_| Error::memory("triangles", misplaced.len() + 1))?;
                 misplaced.push(t);
             }
@@ -169,8 +148,4 @@ impl Surface {
         let step = 64.0 * f64::EPSILON * size.max(middle.abs().max_element());
         (self.winding(middle + normal * step), self.winding(middle - normal * step)) == (0, 1)
     }
-}
-
-fn undirected(a: u32, b: u32) -> (u32, u32) {
-    (a.min(b), a.max(b))
 }

@@ -7,6 +7,8 @@ mod check;
 mod columns;
 mod crossings;
 mod nearest;
+mod normals;
+mod refit;
 mod sides;
 mod sign;
 mod tile;
@@ -24,6 +26,7 @@ use crate::primitive::estimate::Estimates;
 use crate::primitive::overlap::are_apart;
 use crate::primitive::triangle::RELATIVE_ERROR;
 use crate::simd::lanes::WIDTH;
+use std::sync::Arc;
 
 /// Marks the unused lanes of a block.
 const NO_TRIANGLE: u32 = u32::MAX;
@@ -33,6 +36,9 @@ const ALONE: u32 = u32::MAX;
 
 /// In the place of a neighbour: the edge's pseudonormal decides nothing.
 const UNCLEAR: u32 = u32::MAX - 1;
+
+/// Triangles or vertices that a thread does in one go.
+const PIECE: usize = 4096;
 
 /// The triangles of one leaf.
 #[derive(Clone, Copy, Debug)]
@@ -67,22 +73,33 @@ pub(crate) struct Surface {
     /// None: every triangle is looked at.
     tree: Option<Tree>,
     vertices: Vec<Vec3>,
-    triangles: Vec<Corners>,
+    triangles: Arc<Vec<Corners>>,
     /// Unit normals of the triangles; zero where the area is.
     normals: Vec<Vec3>,
     /// The triangles across the edges 0-1, 1-2, 2-0 of each, [`ALONE`] or [`UNCLEAR`].
-    neighbours: Vec<[u32; 3]>,
+    neighbours: Arc<Vec<[u32; 3]>>,
+    /// The same without [`UNCLEAR`].
+    topology: Arc<Vec<[u32; 3]>>,
     /// Pseudonormal of each vertex; zero where it decides nothing.
     vertex_normals: Vec<Vec3>,
     bounds: Aabb,
     diagonal: f64,
     sign: Sign,
+    /// What was asked for, and the sign that the topology allows.
+    asked: (SignMethod, Sign),
     /// Triangles that pseudonormals do not decide the sign at.
     doubts: Doubts,
     /// Where the surface is not.
     sides: Sides,
     /// Winding number far away: 1 where an inside-out mesh was kept, else 0.
     far_winding: i32,
+}
+
+/// What stays when the vertices move.
+struct Kept {
+    triangles: Arc<Vec<Corners>>,
+    topology: Arc<Vec<[u32; 3]>>,
+    asked: (SignMethod, Sign),
 }
 
 /// A set of triangles; no memory where it is empty.
@@ -172,6 +189,7 @@ impl Surface {
             + size_of_val(&self.triangles[..])
             + size_of_val(&self.normals[..])
             + size_of_val(&self.neighbours[..])
+            + if Arc::ptr_eq(&self.neighbours, &self.topology) { 0 } else { size_of_val(&self.topology[..]) }
             + size_of_val(&self.vertex_normals[..])
             + size_of_val(&self.doubts.bits[..])
             + self.sides.bytes()
@@ -185,7 +203,7 @@ impl Surface {
         for v in &self.vertices {
             v.to_array().iter().for_each(|c| add((c + 0.0).to_bits()));
         }
-        for t in &self.triangles {
+        for t in self.triangles.iter() {
             t.vertex.iter().for_each(|&v| add(u64::from(v)));
             add(u64::from(t.face));
             add(t.tag as u64);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Normals of the triangles and pseudonormals of the vertices (Baerentzen & Aanaes 2005; angles after Thürmer & Wüthrich
+//! 1998), triangle by triangle and vertex by vertex, and which of them say nothing of the surface.
+
+use super::{PIECE, Surface, UNCLEAR};
+use crate::error::{Result, try_copy, try_with_capacity};
+use crate::math::{Vec3, cross_of_differences, length, unit};
+use crate::mesh::{HalfEdges, filled};
+use crate::parallel::Run;
+use crate::primitive::polygon::are_collinear;
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// The normal of a triangle and what its corners add to the pseudonormals there.
+#[derive(Clone, Copy)]
+struct Share {
+    normal: Vec3,
+    angles: [f64; 3],
+}
+
+/// Of all triangles, unit vectors but for those without area, and of all vertices. `topology` is that of the triangles.
+pub(super) fn normals(
+    count: usize,
+    corners: &(dyn Fn(usize) -> [Vec3; 3] + Sync),
+    topology: &HalfEdges,
+    vertices: usize,
+    run: &Run,
+) -> Result<(Vec<Vec3>, Vec<Vec3>)> {
+    let mut shares = filled("normals", count, Share { normal: Vec3::ZERO, angles: [0.0; 3] })?;
+    run.for_each_piece(&mut shares, PIECE, &|from, shares| {
+        shares.iter_mut().zip(from..).for_each(|(share, t)| *share = Share::of(corners(t)));
+        Ok(())
+    })?;
+    let mut of_vertices = filled("vertex normals", vertices, Vec3::ZERO)?;
+    run.for_each_piece(&mut of_vertices, PIECE, &|from, normals| {
+        for (normal, v) in normals.iter_mut().zip(from..) {
+            for &h in topology.outgoing(v as u32) {
+                let Share { normal: own, angles } = shares[h as usize / 3];
+                *normal += angles[h as usize % 3] * own;
+            }
+        }
+        Ok(())
+    })?;
+    let mut of_triangles = try_with_capacity("normals", count)?;
+    of_triangles.extend(shares.iter().map(|share| share.normal));
+    Ok((of_triangles, of_vertices))
+}
+
+impl Share {
+    fn of([a, b, c]: [Vec3; 3]) -> Share {
+        let cross = cross_of_differences(a, b, c);
+        let normal = unit(cross);
+        // A triangle of zero area has no side, and must not lend one to its neighbours.
+        if are_collinear(a, b, c) {
+            return Share { normal, angles: [0.0; 3] };
+        }
+        let twice_area = length(cross);
+        let angles = [(a, b, c), (b, c, a), (c, a, b)].map(|(p, q, r)| libm::atan2(twice_area, (q - p).dot(r - p)));
+        Share { normal, angles }
+    }
+}
+
+impl Surface {
+    /// Zeroes the pseudonormals that say nothing of the surface beyond them, and leaves those places to
+    /// the crossings: at triangles without area, and at vertices where several fans of triangles meet. `topology` is
+    /// that of the triangles.
+    pub(super) fn distrust_unclear_normals(&mut self, topology: &HalfEdges, run: &Run) -> Result<()> {
+        run.for_each_piece(&mut self.vertex_normals, PIECE, &|from, normals| {
+            for (normal, v) in normals.iter_mut().zip(from..) {
+                let outgoing = topology.outgoing(v as u32);
+                if outgoing.first().is_none_or(|&h| topology.around_vertex(h).count() != outgoing.len()) {
+                    *normal = Vec3::ZERO;
+                }
+            }
+            Ok(())
+        })?;
+        let mut edges = HashSet::new();
+        for t in 0..self.triangles.len() {
+            if self.normal(t as u32) == Vec3::ZERO {
+                let v = self.triangles[t].vertex;
+                for k in 0..3 {
+                    self.vertex_normals[v[k] as usize] = Vec3::ZERO;
+                    edges.insert(undirected(v[k], v[(k + 1) % 3]));
+                }
+            }
+        }
+        if edges.is_empty() {
+            return Ok(());
+        }
+        let triangles = self.triangles.clone();
+        for (t, neighbours) in triangles.iter().zip(self.own_neighbours()?) {
+            for (k, neighbour) in neighbours.iter_mut().enumerate() {
+                if edges.contains(&undirected(t.vertex[k], t.vertex[(k + 1) % 3])) {
+                    *neighbour = UNCLEAR;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes sure that no other surface shares the neighbours, which are going to be marked.
+    pub(super) fn own_neighbours(&mut self) -> Result<&mut [[u32; 3]]> {
+        if Arc::get_mut(&mut self.neighbours).is_none() {
+            self.neighbours = Arc::new(try_copy("neighbours", &self.neighbours)?);
+        }
+        // Nobody else can have got hold of it.
+        Ok(Arc::get_mut(&mut self.neighbours).map_or(&mut [], |own| &mut own[..]))
+    }
+}
+
+fn undirected(a: u32, b: u32) -> (u32, u32) {
+    (a.min(b), a.max(b))
+}
