@@ -160,7 +160,10 @@ pub unsafe extern "C" fn emb_geom_fill(
         if mode != FillMode::Sign && matches!(out, Numbers::Integers(_)) {
             return Err(Error::invalid("out.type: an array of integers takes EMB_FILL_SIGN only"));
         }
-        with_run(run, |run| query::fill(g, &lattice, mode, run, &|at, values| put_values(&out, at, values)))
+        with_run(run, |run| match mode {
+            FillMode::Sign => query::fill_signs(g, &lattice, run, &|at, signs| put_signs(&out, at, signs)),
+            _ => query::fill(g, &lattice, mode, run, &|at, values| put_values(&out, at, values)),
+        })
     })
 }
 
@@ -174,14 +177,22 @@ fn fill_mode(mode: i32, band: f64) -> Result<FillMode> {
     }
 }
 
-/// Integers only hold signs, which convert exactly; a coordinate is finite, so there is no NaN among them.
+fn put_signs(out: &Numbers, at: [usize; 3], signs: &[i8]) {
+    match out {
+        Numbers::Reals(Reals::F64(writer)) => writer.put(at, signs.iter().map(|s| f64::from(*s))),
+        Numbers::Reals(Reals::F32(writer)) => writer.put(at, signs.iter().map(|s| f32::from(*s))),
+        Numbers::Integers(Integers::I32(writer)) => writer.put(at, signs.iter().map(|s| i32::from(*s))),
+        Numbers::Integers(Integers::I8(writer)) => writer.put_copy(at, signs),
+    }
+}
+
+/// Integers hold signs alone.
 fn put_values(out: &Numbers, at: [usize; 3], values: &[f64]) {
     let values = values.iter();
     match out {
         Numbers::Reals(Reals::F64(writer)) => writer.put(at, values.copied()),
         Numbers::Reals(Reals::F32(writer)) => writer.put(at, values.map(|v| f32_same_sign(*v))),
-        Numbers::Integers(Integers::I32(writer)) => writer.put(at, values.map(|v| *v as i32)),
-        Numbers::Integers(Integers::I8(writer)) => writer.put(at, values.map(|v| *v as i8)),
+        Numbers::Integers(_) => {}
     }
 }
 
@@ -209,7 +220,7 @@ pub unsafe extern "C" fn emb_geom_crossings(
         let mut edges = lattice.n();
         edges[axis] = edges[axis].saturating_sub(1);
         let out = CrossingsWriter::new(out, edges)?;
-        with_run(run, |run| query::crossings(g, &lattice, axis, out.form, run, &|at, row| out.put(at, row)))
+        with_run(run, |run| query::crossings(g, &lattice, axis, out.form, run, &|at, n, found| out.put(at, n, found)))
     })
 }
 

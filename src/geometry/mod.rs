@@ -16,6 +16,7 @@ mod parts;
 mod placement;
 mod properties;
 mod repeat;
+mod scanned;
 mod segment;
 mod shape;
 mod simplify;
@@ -30,6 +31,7 @@ mod value;
 pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
 pub use properties::{Accelerator, Function, FunctionOptions, Kind, Open, Properties, SdfOptions, SignMethod};
+pub(crate) use scanned::{Buffers, Scanned};
 pub(crate) use segment::{Change, Event, NO_PART};
 pub use shape::ExpressionOptions;
 

@@ -22,6 +22,11 @@ impl AxisLine {
         AxisLine { axis, at: [p[(axis + 1) % 3], p[(axis + 2) % 3]] }
     }
 
+    /// The line along `axis` with these next two coordinates, in cyclic order.
+    pub(crate) fn through(axis: usize, at: [f64; 2]) -> AxisLine {
+        AxisLine { axis, at }
+    }
+
     fn flat(&self, p: Vec3) -> [f64; 2] {
         let p = p.to_array();
         [p[(self.axis + 1) % 3], p[(self.axis + 2) % 3]]
@@ -43,15 +48,9 @@ impl AxisLine {
             let (from, to) = (corner[k], corner[(k + 1) % 3]);
             let rises = from[1] <= v && v < to[1];
             let falls = to[1] <= v && v < from[1];
-            if !(rises || falls) || (from[0] <= u && to[0] <= u) {
-                // An edge not to the right of the line never counts; at equality the infinitesimal move
-                // puts the line to the right of it.
-                continue;
-            }
-            let side = orient2d(xy(from), xy(to), xy([u, v]));
-            if rises && side > 0.0 {
+            if rises && is_right(from, to, [u, v]) {
                 turns += 1;
-            } else if falls && side < 0.0 {
+            } else if falls && is_right(to, from, [u, v]) {
                 turns -= 1;
             }
         }
@@ -74,6 +73,13 @@ impl AxisLine {
         let side = orient3d(a, b, c, Coord3D { x: self.at[0], y: self.at[1], z });
         if turn > 0 { side > 0.0 } else { side < 0.0 }
     }
+}
+
+/// Whether a rising edge passes to the right of a point in whose row it lies. At equality it does not: the infinitesimal
+/// move puts the line to the right of the edge.
+#[inline]
+pub(crate) fn is_right(from: [f64; 2], to: [f64; 2], at: [f64; 2]) -> bool {
+    (from[0] > at[0] || to[0] > at[0]) && orient2d(xy(from), xy(to), xy(at)) > 0.0
 }
 
 fn xy(p: [f64; 2]) -> Coord<f64> {

@@ -14,6 +14,8 @@ mod diagnose;
 mod fill;
 mod inputs;
 mod intercept;
+mod scanned_crossings;
+mod scanned_signs;
 mod values;
 
 pub use crate::geometry::Closest;
@@ -21,7 +23,7 @@ pub use bounding::{Bounding, bounding_box, bounding_sphere};
 pub use classify::{classify_box, classify_boxes};
 pub use closest::closest;
 pub use diagnose::diagnose;
-pub use fill::{FillMode, fill};
+pub use fill::{FillMode, fill, fill_signs};
 pub use inputs::{Lattice, PointSource, Strided};
 pub use intercept::{Crossing, CrossingForm, Intercept, crossings, intercepts};
 pub use values::values;

@@ -3,6 +3,7 @@
 
 use super::trees::{each, places};
 use super::{direction, same, vector};
+use crate::common::edges::every_edge;
 use crate::common::random::Random;
 use embound::geometry::Geometry;
 use embound::math::Vec3;
@@ -105,8 +106,8 @@ fn lattice_edges_of_random_trees_have_the_crossings_of_segments_and_the_sides_of
             n[direction] -= 1;
             for form in [CrossingForm::Coordinate, CrossingForm::Fraction] {
                 let seen = Mutex::new(0);
-                query::crossings(g, &lattice, direction, form, &Run::SERIAL, &|at, found| {
-                    for (d, crossing) in found.iter().enumerate() {
+                query::crossings(g, &lattice, direction, form, &Run::SERIAL, &|at, count, found| {
+                    for (d, crossing) in every_edge(count, found).iter().enumerate() {
                         *seen.lock().unwrap() += 1;
                         let from = [at[0] + d, at[1], at[2]];
                         let mut to = from;

@@ -7,9 +7,11 @@ mod check;
 mod columns;
 mod crossings;
 mod nearest;
+mod scanned;
 mod sign;
 mod tile;
 
+pub(crate) use crossings::Hit;
 pub(crate) use nearest::Nearest;
 pub(crate) use tile::Block;
 

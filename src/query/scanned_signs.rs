@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Signs over a lattice around a surface, from a scan of its lines along x: between two triangles the sign is that of
+//! the winding number; points so near to a triangle that rounding may decide are asked one by one.
+
+use super::Lattice;
+use crate::error::{Error, Result};
+use crate::geometry::{Geometry, Scanned};
+use crate::parallel::Run;
+use crate::scan::Slab;
+
+/// [`super::fill_signs`] where the lattice can be scanned.
+pub(super) fn signs(
+    g: &Geometry,
+    scanned: &Scanned,
+    lattice: &Lattice,
+    run: &Run,
+    emit: &(dyn Fn([usize; 3], &[i8]) + Sync),
+) -> Result<()> {
+    let n = lattice.n();
+    if n.contains(&0) {
+        return Ok(());
+    }
+    let seen = scanned.axes(lattice.axes)?;
+    let scan = scanned.scan(&seen, 0, run)?;
+    let [x, y, z] = [0, 1, 2].map(|k| scan.axis(k));
+    let falls = x.given(0) != 0;
+    let sign = |winding: i32| if scanned.is_inside(winding) { -1 } else { 1 };
+    run.for_each_chunk(scan.slab_count(), &|k| {
+        let mut slab = Slab::default();
+        scan.scan(k, &mut slab)?;
+        let mut row = Vec::new();
+        row.try_reserve_exact(n[0]).map_err(|_| Error::memory("points", n[0]))?;
+        row.resize(n[0], sign(scanned.first_winding(&[])));
+        let mut near = slab.near();
+        let mut is_far = true;
+        for line in 0..slab.rows().len() * slab.width() {
+            let at = [0, y.given(line % slab.width()), z.given(slab.rows().start + line / slab.width())];
+            let met = slab.met(line);
+            // Most lines meet nothing, and the row of the last one serves.
+            if !(met.is_empty() && is_far) {
+                let (mut from, mut winding) = (0, scanned.first_winding(met));
+                for met in met {
+                    fill(&mut row, from..met.below(), falls, sign(winding));
+                    (from, winding) = (met.below(), winding - met.turn());
+                }
+                fill(&mut row, from..n[0], falls, sign(winding));
+                is_far = met.is_empty();
+            }
+            while let Some(&[of, k]) = near.first()
+                && of as usize == line
+            {
+                let i = x.given(k as usize);
+                let value = g.value(lattice.point([i, at[1], at[2]]));
+                row[i] = i8::from(value > 0.0) - i8::from(value < 0.0);
+                near = &near[1..];
+                is_far = false;
+            }
+            emit(at, &row);
+        }
+        Ok(())
+    })
+}
+
+/// Fills part of a row that is counted from the end of lesser coordinates.
+#[inline(always)]
+fn fill(row: &mut [i8], part: std::ops::Range<usize>, falls: bool, sign: i8) {
+    let n = row.len();
+    if falls { &mut row[n - part.end..n - part.start] } else { &mut row[part] }.fill(sign);
+}
