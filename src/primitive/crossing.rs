@@ -4,7 +4,7 @@
 //! coordinates, so that a line through an edge or a vertex meets exactly the triangles it must: the
 //! counts of a closed mesh are watertight.
 
-use crate::math::{Vec3, volume_of_differences};
+use crate::math::{Vec3, volumes_of_differences};
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// A line parallel to an axis, seen along it: the axes are permuted cyclically so that the line is
@@ -120,8 +120,7 @@ pub(crate) fn segment_meets(a: Vec3, b: Vec3, t: [Vec3; 3]) -> i32 {
 /// Where the line from `a` (0) to `b` (1) meets the plane of a triangle, which has this normal, clamped to
 /// [0, 1]. From the volumes over the triangle: a rounded normal says nothing where the segment runs nearly within the plane.
 pub(crate) fn fraction(a: Vec3, b: Vec3, t: [Vec3; 3], normal: Vec3) -> f64 {
-    let height = |p: Vec3| volume_of_differences(t[0], t[1], t[2], p);
-    let (start, end) = (height(a), height(b));
+    let [start, end] = volumes_of_differences(t[0], t[1], t[2], [a, b]);
     let at = start / (start - end);
     if at.is_finite() {
         return at.clamp(0.0, 1.0);

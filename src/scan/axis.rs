@@ -16,7 +16,7 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// Of finite coordinates that rise or fall, repeats allowed; fewer than 2^31.
+    /// Of finite coordinates that rise or fall, repeats allowed; fewer than 2^30.
     pub(super) fn new(given: &[f64]) -> Result<Axis> {
         let falls = given.first() > given.last();
         let mut at = try_copy("axis", given)?;
@@ -43,7 +43,8 @@ impl Axis {
 
     #[inline(always)]
     fn bucket(&self, x: f64, buckets: usize) -> usize {
-        (((x - self.low) * self.per_width) as usize).min(buckets)
+        // A conversion to 32 bits costs less than one to 64.
+        (((x - self.low) * self.per_width) as i32).clamp(0, buckets as i32) as usize
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -96,6 +97,26 @@ impl Axis {
     #[inline(always)]
     pub(crate) fn within(&self, low: f64, high: f64) -> Range<usize> {
         self.not_below(low)..self.above(high)
+    }
+}
+
+impl Axis {
+    /// A range without what is too low or too high in it.
+    #[inline(always)]
+    pub(super) fn narrowed(
+        &self,
+        range: &Range<usize>,
+        is_low: impl Fn(f64) -> bool,
+        is_high: impl Fn(f64) -> bool,
+    ) -> Range<usize> {
+        let Range { mut start, mut end } = *range;
+        while start < end && is_low(self.at[start]) {
+            start += 1;
+        }
+        while start < end && is_high(self.at[end - 1]) {
+            end -= 1;
+        }
+        start..end
     }
 }
 

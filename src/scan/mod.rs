@@ -13,6 +13,8 @@ pub(crate) use axis::Axis;
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use crate::parallel::Run;
+use axis::common;
+use near::near;
 use rows::{Lines, Meeting};
 use std::ops::Range;
 
@@ -82,7 +84,7 @@ impl Met {
 }
 
 impl<'a, T: Triangles> Scan<'a, T> {
-    /// Of the lines along `axis`. Every axis of the lattice rises or falls, repeats allowed, and has fewer than 2^31
+    /// Of the lines along `axis`. Every axis of the lattice rises or falls, repeats allowed, and has fewer than 2^30
     /// coordinates.
     pub(crate) fn new(triangles: &'a T, axes: [&[f64]; 3], axis: usize, room: f64, run: &Run) -> Result<Scan<'a, T>> {
         let (across, along) = if axis == 2 { (1, 0) } else { (2, 1 - axis) };
@@ -166,7 +168,7 @@ impl<'a, T: Triangles> Scan<'a, T> {
 
     #[inline(always)]
     fn slabs_of(&self, t: [Vec3; 3], region: &Aabb) -> [u32; 2] {
-        let (lo, hi) = (t[0].min(t[1]).min(t[2]), t[0].max(t[1]).max(t[2]));
+        let (lo, hi) = ends(t);
         if lo.cmpgt(region.hi).any() || hi.cmplt(region.lo).any() {
             return [0, 0];
         }
@@ -195,19 +197,27 @@ impl<'a, T: Triangles> Scan<'a, T> {
         slab.near.clear();
         let (a, b) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
         let lines = Lines { axis: self.axis, u: &self.axes[a], v: &self.axes[b], w: &self.axes[self.axis] };
-        let whole = 0..width;
         let across_is_v = self.across == b;
-        let (window_u, window_v) = if across_is_v { (&whole, &rows) } else { (&rows, &whole) };
         let (mut full, mut most) = (false, 4096);
         for &triangle in &self.members[self.start[k] as usize..self.start[k + 1] as usize] {
             let corners = self.triangles.corners(triangle);
-            lines.meetings(corners, window_u, window_v, &mut |Meeting { u, v, below, turned }| {
+            let (lo, hi) = ends(corners);
+            let range = |k: usize| self.axes[k].within(lo[k] - self.room, hi[k] + self.room);
+            let mut around = [range(0), range(1), range(2)];
+            around[self.across] = common(&around[self.across], &rows);
+            if around[a].is_empty() || around[b].is_empty() {
+                continue;
+            }
+            lines.meetings(corners, (lo, hi), &around, &mut |Meeting { u, v, below, turned }| {
                 let (row, column) = if across_is_v { (v, u) } else { (u, v) };
                 let line = ((row - rows.start) * width + column) as u32;
                 let place = 2 * below as u32 + u32::from(turned);
                 full |= push(&mut slab.found, (line, Met { place, triangle })).is_err();
             });
-            near::near(&self.axes, corners, self.room, (self.across, &rows), &mut |at| {
+            if around[self.axis].is_empty() {
+                continue;
+            }
+            near(&self.axes, corners, (lo, hi), self.room, &around, &mut |at| {
                 let line = ((at[self.across] - rows.start) * width + at[self.along]) as u32;
                 full |= push(&mut slab.near, [line, at[self.axis] as u32]).is_err();
             });
@@ -227,6 +237,12 @@ impl<'a, T: Triangles> Scan<'a, T> {
     }
 }
 
+#[inline(always)]
+fn ends(t: [Vec3; 3]) -> (Vec3, Vec3) {
+    (t[0].min(t[1]).min(t[2]), t[0].max(t[1]).max(t[2]))
+}
+
+#[inline(always)]
 fn push<T>(to: &mut Vec<T>, item: T) -> std::result::Result<(), ()> {
     if to.len() == to.capacity() {
         to.try_reserve(to.len().max(64)).map_err(|_| ())?;

@@ -12,24 +12,17 @@ const FEW: usize = 24;
 /// Bound of the rounding of the volume that a point spans with a triangle, in cubes of their size.
 const ROUNDING: f64 = 1e-14;
 
-/// Calls `found` for each point within `room` of the triangle, among those of `window` along axis `across`.
+/// Calls `found` for each point within `room` of the triangle, which lies within `lo` and `hi`, among those of `ranges`,
+/// which hold nothing farther than `room` from that box.
+#[inline(always)]
 pub(super) fn near(
     axes: &[Axis; 3],
     t: [Vec3; 3],
+    (lo, hi): (Vec3, Vec3),
     room: f64,
-    (across, window): (usize, &Range<usize>),
+    ranges: &[Range<usize>; 3],
     found: &mut impl FnMut([usize; 3]),
 ) {
-    let (lo, hi) = (t[0].min(t[1]).min(t[2]), t[0].max(t[1]).max(t[2]));
-    let range = |axis: usize| {
-        let range = axes[axis].within(lo[axis] - room, hi[axis] + room);
-        if axis == across { common(&range, window) } else { range }
-    };
-    // Most triangles of a fine mesh end here: in the axis that was cut first, last asked.
-    let ranges = [range(0), range(1), range(2)];
-    if ranges.iter().any(Range::is_empty) {
-        return;
-    }
     let (e, f) = (t[1] - t[0], t[2] - t[0]);
     let normal = e.cross(f);
     let size = (hi - lo).max_element() + room;
@@ -50,6 +43,19 @@ pub(super) fn near(
         }
         return;
     }
+    near_large(axes, t, (lo, hi), room, ranges, (normal, steep, most), found);
+}
+
+/// The same where there are many points.
+fn near_large(
+    axes: &[Axis; 3],
+    t: [Vec3; 3],
+    (lo, hi): (Vec3, Vec3),
+    room: f64,
+    ranges: &[Range<usize>; 3],
+    (normal, steep, most): (Vec3, f64, f64),
+    found: &mut impl FnMut([usize; 3]),
+) {
     let flat = most <= 8.0 * room * steep;
     // Towards which the triangle faces, or, where it has no direction, along which it is longest.
     let up = if flat { largest(normal.abs()) } else { largest(hi - lo) };

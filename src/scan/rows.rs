@@ -4,7 +4,7 @@
 //! decide all but what lies within their error; `primitive/crossing.rs` decides the rest, and would have decided the
 //! others alike.
 
-use super::axis::{Axis, common};
+use super::axis::Axis;
 use crate::math::Vec3;
 use crate::primitive::crossing::{AxisLine, is_right};
 use std::ops::Range;
@@ -28,26 +28,23 @@ pub(super) struct Meeting {
 }
 
 impl Lines<'_> {
-    /// Calls `found` for each line of the windows that meets the triangle where points of the line lie below it.
+    /// Calls `found` for each line that meets the triangle, where points of the line lie below it. The triangle lies
+    /// within `lo` and `hi`, and of its points only those in `around` count: along `w` these are all.
     #[inline(always)]
     pub(super) fn meetings(
         &self,
         t: [Vec3; 3],
-        window_u: &Range<usize>,
-        window_v: &Range<usize>,
+        (lo, hi): (Vec3, Vec3),
+        around: &[Range<usize>; 3],
         found: &mut impl FnMut(Meeting),
     ) {
         let &Lines { axis, u, v, w } = self;
         let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-        let (lo, hi) = (t[0].min(t[1]).min(t[2]), t[0].max(t[1]).max(t[2]));
         // Half open both: a row through the highest corner meets nothing, nor does a line through the rightmost.
-        let rows = common(&(v.not_below(lo[b])..v.not_below(hi[b])), window_v);
-        if rows.is_empty() {
-            return;
-        }
-        let columns = common(&(u.not_below(lo[a])..u.not_below(hi[a])), window_u);
-        let heights = w.within(lo[axis], hi[axis]);
-        if columns.is_empty() || heights.end == 0 {
+        let rows = v.narrowed(&around[b], |c| c < lo[b], |c| c >= hi[b]);
+        let columns = u.narrowed(&around[a], |c| c < lo[a], |c| c >= hi[a]);
+        let heights = w.narrowed(&around[axis], |c| c < lo[axis], |c| c > hi[axis]);
+        if rows.is_empty() || columns.is_empty() || heights.end == 0 {
             return;
         }
         let plane = if heights.is_empty() { Plane::NONE } else { Plane::new(t, axis, lo, hi) };

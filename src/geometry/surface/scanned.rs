@@ -17,7 +17,8 @@ impl Triangles for Surface {
 
     #[inline(always)]
     fn corners(&self, triangle: u32) -> [Vec3; 3] {
-        Surface::corners(self, triangle)
+        let [a, b, c] = self.triangles[triangle as usize].vertex;
+        [self.vertices[a as usize], self.vertices[b as usize], self.vertices[c as usize]]
     }
 
     fn bounds(&self) -> Aabb {
