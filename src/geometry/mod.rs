@@ -34,6 +34,7 @@ pub use properties::{Accelerator, Function, FunctionOptions, Kind, Open, Propert
 pub(crate) use scanned::{Buffers, Scanned};
 pub(crate) use segment::{Change, Event, NO_PART};
 pub use shape::ExpressionOptions;
+pub(crate) use surface::BandWork;
 
 use crate::math::Aabb;
 use node::Node;

@@ -4,11 +4,12 @@
 use super::Geometry;
 use super::node::Node;
 use super::segment::{Event, NO_PART, side_changes};
-use super::surface::{Hit, Surface};
+use super::surface::{BandSlab, BandWork, Hit, Surface};
 use crate::error::{Error, Result, try_copy};
 use crate::math::Vec3;
 use crate::parallel::Run;
-use crate::scan::{Met, Scan};
+use crate::scan::{Axis, Met, Scan};
+use std::ops::Range;
 
 /// Beside the steps of a lattice, what rounding decides must be small.
 const MOST_ROOM: f64 = 0.1;
@@ -93,6 +94,24 @@ impl Scanned<'_> {
     /// Whether a point of such a winding number, which is not near the surface, is inside.
     pub(crate) fn is_inside(&self, winding: i32) -> bool {
         (self.surface.is_signed() && winding >= 1) != self.turned
+    }
+
+    /// Whether [`Scanned::near_band`] costs less than tiles, with slabs of so many rows.
+    pub(crate) fn band_pays(&self, axes: [&Axis; 3], rows: usize, band: f64) -> bool {
+        self.surface.band_pays(&BandSlab { axes, rows: &(0..axes[2].len()), band }, rows)
+    }
+
+    /// Calls `put` with each point of some rows along z whose magnitude is below the band, and with others, in order: its
+    /// number, x fastest, and the magnitude.
+    pub(crate) fn near_band(
+        &self,
+        axes: [&Axis; 3],
+        rows: &Range<usize>,
+        band: f64,
+        work: &mut BandWork,
+        put: &mut dyn FnMut(usize, f64),
+    ) -> Result<()> {
+        self.surface.near_band(&BandSlab { axes, rows, band }, work, put)
     }
 
     /// [`Geometry::events`] between the points `a` and `b` of a line, of which `a` is the lower one and has this winding

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Values at the points of a lattice: the node values of a level set.
 
-use super::{CHUNK, Lattice, check, scanned_signs, suited};
+use super::{CHUNK, Lattice, check, scanned_band, scanned_signs, suited};
 use crate::error::{Error, Result};
 use crate::geometry::{Geometry, Kind};
 use crate::math::Vec3;
@@ -20,7 +20,7 @@ pub enum FillMode {
 
 impl FillMode {
     /// What this mode writes for a value.
-    fn of(self, value: f64) -> f64 {
+    pub(super) fn of(self, value: f64) -> f64 {
         match self {
             FillMode::Exact => value,
             FillMode::Band(band) if value.abs() < band => value,
@@ -59,6 +59,12 @@ pub fn fill(
                 emit([at[0] + k * CHUNK, at[1], at[2]], &values[..signs.len()]);
             }
         });
+    }
+    if let FillMode::Band(band) = mode
+        && let Some(scanned) = g.scanned(lattice.axes)
+        && scanned_band::values(g, &scanned, lattice, band, run, emit)?
+    {
+        return Ok(());
     }
     one_by_one(g, lattice, mode, run, emit)
 }

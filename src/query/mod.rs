@@ -14,6 +14,7 @@ mod diagnose;
 mod fill;
 mod inputs;
 mod intercept;
+mod scanned_band;
 mod scanned_crossings;
 mod scanned_signs;
 mod values;

@@ -7,6 +7,7 @@ use crate::error::{Error, Result};
 use crate::geometry::{Geometry, Scanned};
 use crate::parallel::Run;
 use crate::scan::Slab;
+use std::ops::Range;
 
 /// [`super::fill_signs`] where the lattice can be scanned.
 pub(super) fn signs(
@@ -63,7 +64,7 @@ pub(super) fn signs(
 
 /// Fills part of a row that is counted from the end of lesser coordinates.
 #[inline(always)]
-fn fill(row: &mut [i8], part: std::ops::Range<usize>, falls: bool, sign: i8) {
+pub(super) fn fill<T: Copy>(row: &mut [T], part: Range<usize>, falls: bool, with: T) {
     let n = row.len();
-    if falls { &mut row[n - part.end..n - part.start] } else { &mut row[part] }.fill(sign);
+    if falls { &mut row[n - part.end..n - part.start] } else { &mut row[part] }.fill(with);
 }

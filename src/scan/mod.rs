@@ -184,6 +184,11 @@ impl<'a, T: Triangles> Scan<'a, T> {
         self.axes[self.across].len().div_ceil(self.rows)
     }
 
+    /// Rows of a slab; the last may have fewer.
+    pub(crate) fn rows(&self) -> usize {
+        self.rows
+    }
+
     /// The axes, in rising order.
     pub(crate) fn axis(&self, axis: usize) -> &Axis {
         &self.axes[axis]
