@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Signs and crossings of whole lattices come from scans of their lines: the bits of single points and edges, wherever
-//! the lattice passes through the surface.
+//! Signs and crossings of whole lattices come from scans of their lines, and values within a band from leaves and the
+//! points around them: the bits of single points and edges, wherever the lattice passes through the surface.
 
 mod common;
 
@@ -10,7 +10,7 @@ use common::{Soup, bodies};
 use embound::geometry::{Accelerator, Geometry, SdfOptions, SignMethod};
 use embound::math::Vec3;
 use embound::parallel::{Pool, Run};
-use embound::query::{self, CrossingForm, Lattice};
+use embound::query::{self, CrossingForm, FillMode, Lattice};
 use std::sync::Mutex;
 
 type Axes = [Vec<f64>; 3];
@@ -61,16 +61,39 @@ fn signs(g: &Geometry, axes: &Axes, run: &Run) -> Vec<i8> {
     out.into_inner().unwrap()
 }
 
+fn banded(g: &Geometry, axes: &Axes, band: f64, run: &Run) -> Vec<f64> {
+    let lattice = Lattice::new(&axes[0], &axes[1], &axes[2]).unwrap();
+    let n = lattice.n();
+    let out = Mutex::new(vec![f64::NAN; n[0] * n[1] * n[2]]);
+    query::fill(g, &lattice, FillMode::Band(band), run, &|[i, j, k], values| {
+        let from = i + n[0] * (j + n[1] * k);
+        out.lock().unwrap()[from..from + values.len()].copy_from_slice(values);
+    })
+    .unwrap();
+    out.into_inner().unwrap()
+}
+
 /// How many edges of a lattice meet the surface, after comparing every sign and every edge with single ones.
 #[track_caller]
 fn compared(g: &Geometry, axes: &Axes) -> usize {
     let lattice = Lattice::new(&axes[0], &axes[1], &axes[2]).unwrap();
     let n = lattice.n();
     let point = |at: [usize; 3]| Vec3::new(axes[0][at[0]], axes[1][at[1]], axes[2][at[2]]);
-    for (e, sign) in signs(g, axes, &Run::SERIAL).into_iter().enumerate() {
-        let p = point([e % n[0], e / n[0] % n[1], e / n[0] / n[1]]);
-        let value = g.value(p);
-        assert_eq!(f64::from(sign), if value == 0.0 { 0.0 } else { value.signum() }, "{p}: {value}");
+    let points = (0..n[0] * n[1] * n[2]).map(|e| point([e % n[0], e / n[0] % n[1], e / n[0] / n[1]]));
+    let values: Vec<(Vec3, f64)> = points.map(|p| (p, g.value(p))).collect();
+    for ((p, value), sign) in values.iter().zip(signs(g, axes, &Run::SERIAL)) {
+        assert_eq!(f64::from(sign), if *value == 0.0 { 0.0 } else { value.signum() }, "{p}: {value}");
+    }
+    // Of the values from the least to the greatest: by leaves and by tiles, where that costs less.
+    let mut magnitudes: Vec<f64> = values.iter().map(|(_, v)| v.abs()).filter(|v| *v > 0.0 && *v < 1e100).collect();
+    magnitudes.sort_by(f64::total_cmp);
+    let some =
+        [0, 10, 3, 1].map(|part| magnitudes.len().checked_sub(1).map_or(1.0, |last| magnitudes[last * part / 10]));
+    for band in some.into_iter().chain([magnitudes.last().map_or(1.0, |most| 1e4 * most)]) {
+        for ((p, value), given) in values.iter().zip(banded(g, axes, band, &Run::SERIAL)) {
+            let wanted = if value.abs() < band { *value } else { band.copysign(*value) };
+            assert_eq!(given.to_bits(), wanted.to_bits(), "{p}, band {band}: {given} instead of {wanted}");
+        }
     }
     let mut met = 0;
     for axis in 0..3 {
@@ -275,6 +298,7 @@ fn any_number_of_threads_gives_the_same() {
     let pool = Pool::new(4, || ()).unwrap();
     let pooled = Run { pool: Some(&pool), progress: None };
     assert_eq!(signs(&g, &axes, &Run::SERIAL), signs(&g, &axes, &pooled));
+    assert_eq!(banded(&g, &axes, 0.1, &Run::SERIAL), banded(&g, &axes, 0.1, &pooled));
     for axis in 0..3 {
         let [a, b] = [Run::SERIAL, pooled].map(|run| crossings(&g, &lattice, axis, CrossingForm::Coordinate, &run));
         let bits = |c: &query::Crossing| (c.at.to_bits(), c.count, c.tag, c.part);
