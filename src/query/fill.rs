@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Values at the points of a lattice: the node values of a level set.
 
-use super::{CHUNK, Lattice, check, scanned_band, scanned_signs, suited};
+use super::{CHUNK, Lattice, check, scanned_band, scanned_signs, sides, suited};
 use crate::error::{Error, Result};
 use crate::geometry::{Geometry, Kind};
 use crate::math::Vec3;
@@ -73,6 +73,9 @@ pub fn fill(
 pub fn fill_signs(g: &Geometry, lattice: &Lattice, run: &Run, emit: &(dyn Fn([usize; 3], &[i8]) + Sync)) -> Result<()> {
     if let Some(scanned) = g.scanned(lattice.axes) {
         return scanned_signs::signs(g, &scanned, lattice, run, emit);
+    }
+    if !g.has_blocks() && sides::are_known(g) {
+        return sides::signs(g, lattice, run, emit);
     }
     one_by_one(g, lattice, FillMode::Sign, run, &|at, values| {
         let mut signs = [0; CHUNK];

@@ -5,8 +5,7 @@
 //! same crossing whoever asks and from whichever end.
 
 use super::fill::in_row_pieces;
-use super::scanned_crossings;
-use super::{CHUNK, Lattice, check, in_chunks, suited};
+use super::{CHUNK, Lattice, check, in_chunks, scanned_crossings, sides, suited};
 use crate::error::{Error, Result};
 use crate::geometry::{Change, Event, Geometry, NO_PART};
 use crate::math::{Vec3, positive_zero};
@@ -94,6 +93,9 @@ pub fn crossings(
     }
     if let Some(scanned) = g.scanned(lattice.axes) {
         return scanned_crossings::crossings(g, &scanned, lattice, axis, form, run, emit);
+    }
+    if sides::are_known(g) {
+        return sides::crossings(g, lattice, axis, form, run, emit);
     }
     let mut edges = lattice.n();
     edges[axis] = edges[axis].saturating_sub(1);

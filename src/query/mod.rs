@@ -17,6 +17,7 @@ mod intercept;
 mod scanned_band;
 mod scanned_crossings;
 mod scanned_signs;
+mod sides;
 mod values;
 
 pub use crate::geometry::Closest;
