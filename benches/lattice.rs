@@ -159,6 +159,30 @@ fn measure(name: &str, mesh: &Mesh, sides: &[usize]) {
     }
 }
 
+/// Trees, whose lattices are classified cube by cube, beside their points one after another.
+fn measure_tree(name: &str, g: &Geometry, box_of: &Mesh, n: usize) {
+    let grid = Grid::around(box_of, n);
+    let points = (n * n * n) as f64;
+    let (sign, crossed) = (Mutex::new(vec![0; n * n * n]), Mutex::new(Vec::new()));
+    let sign_time = signs(g, &grid, &sign);
+    let sign = sign.into_inner().expect("alone");
+    let crossing_time = crossings(g, &grid, 0, &crossed);
+    let crossed = crossed.into_inner().expect("alone");
+    compare(g, &grid, 0, &crossed);
+    let sample = grid.sample(&crossed);
+    let start = Instant::now();
+    for at in &sample {
+        let value = g.value(grid.point(*at));
+        assert_eq!(f64::from(sign[grid.place(*at)]), if value == 0.0 { 0.0 } else { value.signum() }, "{at:?}");
+    }
+    println!(
+        "{name}: {n}^3: signs {:.2} ns a point (one by one {:.0}), crossings along x {:.2} ns an edge",
+        sign_time * 1e9 / points,
+        start.elapsed().as_secs_f64() * 1e9 / SAMPLE as f64,
+        crossing_time * 1e9 / points,
+    );
+}
+
 fn main() {
     let given: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
     let mut sides: Vec<usize> = given.iter().filter_map(|a| a.parse().ok()).collect();
@@ -173,5 +197,19 @@ fn main() {
         let bumpy = |p: [f64; 3]| p.map(|c| c * (1.0 + 0.05 * libm::sin(9.0 * p[0]) * libm::sin(7.0 * p[1])));
         measure("bumpy sphere", &bodies::icosphere(6).map(bumpy).mesh(), &sides);
         measure("bracket", &bodies::bracket().mesh(), &sides);
+        let around = bodies::cuboid([-1.0; 3], [1.0; 3]).mesh();
+        let mut random = Random(4);
+        let balls: Vec<Geometry> = (0..1000)
+            .map(|_| Geometry::sphere(random.point([-1.0; 3], [1.0; 3]), random.range(0.02, 0.1)).expect("a ball"))
+            .collect();
+        let balls = Geometry::union(&balls).expect("a union");
+        let ball = bodies::icosphere(5).map(bumpy).scaled(0.8).mesh();
+        let ball = Geometry::from_mesh(&ball, &SdfOptions::default(), &Run::SERIAL).expect("a closed mesh");
+        let turn = [0.36, 0.48, -0.8, -0.8, 0.60, 0.0, 0.48, 0.64, 0.60];
+        let turned = ball.place(turn, [0.1, 0.0, 0.0]).expect("a rotation");
+        for (name, g) in [("1,000 balls", &balls), ("a turned mesh", &turned)] {
+            measure_tree(name, g, &around, 96);
+        }
+        measure_tree("a mesh less 1,000 balls", &ball.difference(&balls).expect("a difference"), &around, 96);
     }
 }

@@ -52,6 +52,9 @@ pub struct Crossing {
     pub part: i32,
 }
 
+/// Told of a row of edges along x: where it begins, how many there are, and which of them meet the surface.
+pub type EmitCrossings<'a> = &'a (dyn Fn([usize; 3], usize, &[(usize, Crossing)]) + Sync);
+
 const NO_INTERCEPT: Intercept =
     Intercept { t: f64::NAN, count: 0, status: 0, normal: Vec3::NAN, primitive: -1, part: NO_PART, tag: -1 };
 
@@ -86,7 +89,7 @@ pub fn crossings(
     axis: usize,
     form: CrossingForm,
     run: &Run,
-    emit: &(dyn Fn([usize; 3], usize, &[(usize, Crossing)]) + Sync),
+    emit: EmitCrossings,
 ) -> Result<()> {
     if axis > 2 {
         return Err(Error::invalid(format!("axis: {axis} is not 0, 1 or 2")));

@@ -27,7 +27,7 @@ pub use closest::closest;
 pub use diagnose::diagnose;
 pub use fill::{FillMode, fill, fill_signs};
 pub use inputs::{Lattice, PointSource, Strided};
-pub use intercept::{Crossing, CrossingForm, Intercept, crossings, intercepts};
+pub use intercept::{Crossing, CrossingForm, EmitCrossings, Intercept, crossings, intercepts};
 pub use values::values;
 
 use crate::error::{Error, Result, Status};

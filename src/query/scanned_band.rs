@@ -2,8 +2,8 @@
 //! Values within a band over a lattice around a surface: beyond the band only the sign is wanted, which a scan tells;
 //! within it the distances come leaf by leaf.
 
-use super::scanned_signs::fill;
-use super::{FillMode, Lattice};
+use super::scanned_signs::{fill, first_line};
+use super::{FillMode, Lattice, scanned_signs};
 use crate::error::{Error, Result};
 use crate::geometry::{BandWork, Geometry, Scanned};
 use crate::parallel::Run;
@@ -51,13 +51,15 @@ pub(super) fn values(
         };
         let mut finish = |line: usize, row: &mut [f64]| {
             let at = [0, y.given(line % slab.width()), z.given(rows.start + line / slab.width())];
-            while let Some(&[of, k]) = near.first()
-                && of as usize == line
-            {
-                let i = x.given(k as usize);
-                row[i] = FillMode::Band(band).of(g.value(lattice.point([i, at[1], at[2]])));
-                near = &near[1..];
-            }
+            let of_line = first_line(&mut near, line);
+            scanned_signs::values(
+                g,
+                of_line,
+                |k| lattice.point([x.given(k), at[1], at[2]]),
+                |k, value| {
+                    row[x.given(k)] = FillMode::Band(band).of(value);
+                },
+            );
             emit(at, row);
         };
         scanned.near_band([x, y, z], &rows, band, &mut work, &mut |point, distance| {

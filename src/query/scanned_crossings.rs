@@ -3,14 +3,13 @@
 //! none; where rounding may decide the side of an end, the edge is asked like any segment.
 
 use super::Lattice;
-use super::intercept::{Crossing, CrossingForm, crossing, settled};
+use super::intercept::{Crossing, CrossingForm, EmitCrossings, crossing, settled};
+use super::scanned_signs::{first_line, values};
 use crate::error::{Error, Result};
 use crate::geometry::{Buffers, Geometry, Scanned};
 use crate::math::Vec3;
 use crate::parallel::Run;
 use crate::scan::{Axis, Slab};
-
-type Emit<'a> = &'a (dyn Fn([usize; 3], usize, &[(usize, Crossing)]) + Sync);
 
 /// [`super::crossings`] where the lattice can be scanned.
 pub(super) fn crossings(
@@ -20,7 +19,7 @@ pub(super) fn crossings(
     axis: usize,
     form: CrossingForm,
     run: &Run,
-    emit: Emit,
+    emit: EmitCrossings,
 ) -> Result<()> {
     let n = lattice.n();
     if n.contains(&0) || n[axis] == 1 {
@@ -69,9 +68,7 @@ impl Edges<'_> {
         for row in 0..slab.rows().len() {
             for column in 0..slab.width() {
                 let line = row * slab.width() + column;
-                let here = near.iter().take_while(|n| n[0] as usize == line).count();
-                let (of_line, rest) = near.split_at(here);
-                near = rest;
+                let of_line = first_line(&mut near, line);
                 if slab.met(line).is_empty() && of_line.is_empty() {
                     continue;
                 }
@@ -110,11 +107,9 @@ impl Edges<'_> {
         let mut met = slab.met(line);
         let mut winding = self.scanned.first_winding(met);
         work.sides.clear();
-        for &[_, k] in near {
-            let value = self.g.value(self.given(self.at(slab, line, k as usize)));
-            work.sides.try_reserve(1).map_err(|_| Error::memory("points", near.len()))?;
-            work.sides.push((k as usize, value <= 0.0));
-        }
+        work.sides.try_reserve(near.len()).map_err(|_| Error::memory("points", near.len()))?;
+        let sides = &mut work.sides;
+        values(self.g, near, |k| self.given(self.at(slab, line, k)), |k, value| sides.push((k, value <= 0.0)));
         // The first of these points that is not below the edge.
         let mut beside = 0;
         let mut from = 0;
@@ -173,7 +168,7 @@ impl Edges<'_> {
         self.lattice.point([0, 1, 2].map(|k| self.axes[k].given(at[k])))
     }
 
-    fn tell(&self, slab: &Slab, rows: Rows, emit: Emit) {
+    fn tell(&self, slab: &Slab, rows: Rows, emit: EmitCrossings) {
         let n = self.lattice.n();
         let mut all = rows;
         let turned = self.axes[0].given(0) != 0;

@@ -5,9 +5,13 @@
 use super::Lattice;
 use crate::error::{Error, Result};
 use crate::geometry::{Geometry, Scanned};
+use crate::math::Vec3;
 use crate::parallel::Run;
 use crate::scan::Slab;
 use std::ops::Range;
+
+/// Points that are asked together.
+const GROUP: usize = 32;
 
 /// [`super::fill_signs`] where the lattice can be scanned.
 pub(super) fn signs(
@@ -47,19 +51,42 @@ pub(super) fn signs(
                 fill(&mut row, from..n[0], falls, sign(winding));
                 is_far = met.is_empty();
             }
-            while let Some(&[of, k]) = near.first()
-                && of as usize == line
-            {
-                let i = x.given(k as usize);
-                let value = g.value(lattice.point([i, at[1], at[2]]));
-                row[i] = i8::from(value > 0.0) - i8::from(value < 0.0);
-                near = &near[1..];
-                is_far = false;
-            }
+            let of_line = first_line(&mut near, line);
+            is_far &= of_line.is_empty();
+            values(
+                g,
+                of_line,
+                |k| lattice.point([x.given(k), at[1], at[2]]),
+                |k, value| {
+                    row[x.given(k)] = i8::from(value > 0.0) - i8::from(value < 0.0);
+                },
+            );
             emit(at, &row);
         }
         Ok(())
     })
+}
+
+/// Takes the points near triangles that lie on a line from those that are left.
+pub(super) fn first_line<'a>(near: &mut &'a [[u32; 2]], line: usize) -> &'a [[u32; 2]] {
+    let (here, rest) = near.split_at(near.iter().take_while(|n| n[0] as usize == line).count());
+    *near = rest;
+    here
+}
+
+/// The values at points of a line, in order; many at once cost less.
+pub(super) fn values(
+    g: &Geometry,
+    points: &[[u32; 2]],
+    point: impl Fn(usize) -> Vec3,
+    mut put: impl FnMut(usize, f64),
+) {
+    let (mut at, mut found) = ([Vec3::ZERO; GROUP], [0.0; GROUP]);
+    for points in points.chunks(GROUP) {
+        at.iter_mut().zip(points).for_each(|(at, [_, k])| *at = point(*k as usize));
+        g.values(&at[..points.len()], &mut found[..points.len()]);
+        points.iter().zip(found).for_each(|([_, k], value)| put(*k as usize, value));
+    }
 }
 
 /// Fills part of a row that is counted from the end of lesser coordinates.

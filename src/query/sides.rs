@@ -2,7 +2,7 @@
 //! Lattices by classification: cubes that the surface keeps away from have one sign and no crossings, and only the
 //! small ones that are left are asked point by point.
 
-use super::intercept::{Crossing, CrossingForm, crossing};
+use super::intercept::{Crossing, CrossingForm, EmitCrossings, crossing};
 use super::{Lattice, check};
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
@@ -71,7 +71,7 @@ pub(super) fn crossings(
     axis: usize,
     form: CrossingForm,
     run: &Run,
-    emit: &(dyn Fn([usize; 3], usize, &[(usize, Crossing)]) + Sync),
+    emit: EmitCrossings,
 ) -> Result<()> {
     let mut edges = lattice.n();
     edges[axis] = edges[axis].saturating_sub(1);

@@ -19,7 +19,7 @@ const SIDE: usize = 4;
 
 /// Bands wider than so many sizes of the surface, and slabs of more points, are not for this.
 const WIDEST: f64 = 100.0;
-const MOST_POINTS: usize = 1 << 25;
+const MOST_POINTS: usize = 1 << 23;
 
 /// Points that a leaf may be looked at from: so many for each point of the lattice, and for each leaf. Beyond that tiles
 /// cost less.
