@@ -19,6 +19,7 @@ pub mod query;
 
 mod bvh;
 pub mod primitive;
+mod scan;
 mod simd;
 
 pub use error::{Error, Result, Status};

@@ -4,12 +4,13 @@
 
 mod common;
 
+use common::edges::crossings;
 use common::random::Random;
 use common::{Soup, bodies};
 use embound::geometry::{Function, FunctionOptions, Geometry, SdfOptions, SignMethod};
 use embound::math::Vec3;
 use embound::parallel::{Pool, Run};
-use embound::query::{self, Crossing, CrossingForm, Intercept, Lattice};
+use embound::query::{self, CrossingForm, Intercept, Lattice};
 use std::sync::{Arc, Mutex};
 
 fn distance(soup: &Soup, sign: SignMethod) -> Geometry {
@@ -24,20 +25,6 @@ fn intercept(g: &Geometry, a: Vec3, b: Vec3) -> Intercept {
     })
     .unwrap();
     out.into_inner().unwrap().unwrap()
-}
-
-fn crossings(g: &Geometry, lattice: &Lattice, axis: usize, form: CrossingForm, run: &Run) -> Vec<Crossing> {
-    let mut n = lattice.n();
-    n[axis] -= 1;
-    let out = Mutex::new(vec![None; n[0] * n[1] * n[2]]);
-    query::crossings(g, lattice, axis, form, run, &|at, found| {
-        let first = at[0] + n[0] * (at[1] + n[1] * at[2]);
-        for (k, c) in found.iter().enumerate() {
-            out.lock().unwrap()[first + k] = Some(*c);
-        }
-    })
-    .unwrap();
-    out.into_inner().unwrap().into_iter().map(|c| c.expect("every edge answered")).collect()
 }
 
 struct Ball;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 /// Each module with what it may use; `error` and `parallel` serve all, and nothing uses `ffi`.
-const MAY_USE: [(&str, &[&str]); 11] = [
+const MAY_USE: [(&str, &[&str]); 12] = [
     ("error", &[]),
     ("math", &[]),
     ("parallel", &["simd"]),
@@ -16,8 +16,9 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("mesh", &["math", "primitive"]),
     ("io", &["math", "mesh"]),
     ("bvh", &["math", "simd"]),
-    ("geometry", &["math", "primitive", "mesh", "bvh", "simd"]),
-    ("query", &["math", "primitive", "mesh", "bvh", "geometry", "simd"]),
+    ("scan", &["math", "primitive"]),
+    ("geometry", &["math", "primitive", "mesh", "bvh", "scan", "simd"]),
+    ("query", &["math", "primitive", "mesh", "bvh", "scan", "geometry", "simd"]),
     ("ffi", &["math", "mesh", "io", "geometry", "query", "simd"]),
 ];
 

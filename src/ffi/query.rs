@@ -140,6 +140,10 @@ pub unsafe extern "C" fn emb_geom_closest(
 /// EMB_FILL_EXACT: the value; EMB_FILL_BAND: the value where its magnitude is below `band` (finite, > 0), exactly
 /// +-band elsewhere, so that the bits do not depend on how a domain was cut into boxes; EMB_FILL_SIGN: -1, 0, +1.
 /// `band` is ignored in the other modes. Arrays of integers take signs only.
+/// Cost: on a mesh, signs are a scan of its triangles over the lattice, and a narrow band costs little more: a nanosecond
+/// or so a point and some tens of them a triangle near the lattice. What lies on the surface to within rounding is
+/// asked point by point. Of other geometries without user functions, signs are asked for near the surface alone, as
+/// emb_geom_classify_box tells.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_UNSUPPORTED (EXACT or BAND of an
 /// EMB_SIGN_ONLY geometry), EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 #[unsafe(no_mangle)]
@@ -160,7 +164,10 @@ pub unsafe extern "C" fn emb_geom_fill(
         if mode != FillMode::Sign && matches!(out, Numbers::Integers(_)) {
             return Err(Error::invalid("out.type: an array of integers takes EMB_FILL_SIGN only"));
         }
-        with_run(run, |run| query::fill(g, &lattice, mode, run, &|at, values| put_values(&out, at, values)))
+        with_run(run, |run| match mode {
+            FillMode::Sign => query::fill_signs(g, &lattice, run, &|at, signs| put_signs(&out, at, signs)),
+            _ => query::fill(g, &lattice, mode, run, &|at, values| put_values(&out, at, values)),
+        })
     })
 }
 
@@ -174,14 +181,22 @@ fn fill_mode(mode: i32, band: f64) -> Result<FillMode> {
     }
 }
 
-/// Integers only hold signs, which convert exactly; a coordinate is finite, so there is no NaN among them.
+fn put_signs(out: &Numbers, at: [usize; 3], signs: &[i8]) {
+    match out {
+        Numbers::Reals(Reals::F64(writer)) => writer.put(at, signs.iter().map(|s| f64::from(*s))),
+        Numbers::Reals(Reals::F32(writer)) => writer.put(at, signs.iter().map(|s| f32::from(*s))),
+        Numbers::Integers(Integers::I32(writer)) => writer.put(at, signs.iter().map(|s| i32::from(*s))),
+        Numbers::Integers(Integers::I8(writer)) => writer.put_copy(at, signs),
+    }
+}
+
+/// Integers hold signs alone.
 fn put_values(out: &Numbers, at: [usize; 3], values: &[f64]) {
     let values = values.iter();
     match out {
         Numbers::Reals(Reals::F64(writer)) => writer.put(at, values.copied()),
         Numbers::Reals(Reals::F32(writer)) => writer.put(at, values.map(|v| f32_same_sign(*v))),
-        Numbers::Integers(Integers::I32(writer)) => writer.put(at, values.map(|v| *v as i32)),
-        Numbers::Integers(Integers::I8(writer)) => writer.put(at, values.map(|v| *v as i8)),
+        Numbers::Integers(_) => {}
     }
 }
 
@@ -189,6 +204,9 @@ fn put_values(out: &Numbers, at: [usize; 3], values: &[f64]) {
 /// its neighbour along the axis, so there are n[axis] - 1 of them along it. An edge is crossed where one end is inside
 /// (value <= 0) and the other outside; the crossing is then the zero end itself where one is zero, and of several the one
 /// nearest the outside end. The bits are those of emb_geom_intercepts on the same ends, in either order.
+/// Cost: on a mesh, a scan of its triangles over the lattice and some hundred nanoseconds a crossing; edges that the
+/// surface does not meet cost what writing them does, which EMB_ELSEWHERE_LEAVE saves. Of other geometries without
+/// user functions, the edges near the surface alone are asked for.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_crossings(
@@ -209,7 +227,7 @@ pub unsafe extern "C" fn emb_geom_crossings(
         let mut edges = lattice.n();
         edges[axis] = edges[axis].saturating_sub(1);
         let out = CrossingsWriter::new(out, edges)?;
-        with_run(run, |run| query::crossings(g, &lattice, axis, out.form, run, &|at, row| out.put(at, row)))
+        with_run(run, |run| query::crossings(g, &lattice, axis, out.form, run, &|at, n, found| out.put(at, n, found)))
     })
 }
 

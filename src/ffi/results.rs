@@ -292,38 +292,36 @@ impl CrossingsWriter {
         Ok(CrossingsWriter { form, leave, none: out.none, place, count, tag, part })
     }
 
-    /// Writes a row. With EMB_ELSEWHERE_LEAVE only the runs of edges that the surface crosses.
-    pub(super) fn put(&self, at: [usize; 3], row: &[Crossing]) {
+    /// Writes a row of edges, of which `found` meet the surface. With EMB_ELSEWHERE_LEAVE only what it crosses.
+    pub(super) fn put(&self, at: [usize; 3], edges: usize, found: &[(usize, Crossing)]) {
         if !self.leave {
-            return self.put_run(at, row);
+            self.put_same(at, edges, &Crossing { at: f64::NAN, count: 0, tag: -1, part: -1 });
         }
-        let mut i = at[0];
-        for run in row.chunk_by(|a, b| a.at.is_nan() == b.at.is_nan()) {
-            if !run[0].at.is_nan() {
-                self.put_run([i, at[1], at[2]], run);
+        for (k, crossing) in found {
+            if !(self.leave && crossing.at.is_nan()) {
+                self.put_same([at[0] + k, at[1], at[2]], 1, crossing);
             }
-            i += run.len();
         }
     }
 
-    fn put_run(&self, at: [usize; 3], run: &[Crossing]) {
-        let place = run.iter().map(|c| if c.at.is_nan() { self.none } else { c.at });
+    /// Writes the same to each of a run of edges.
+    fn put_same(&self, at: [usize; 3], edges: usize, crossing: &Crossing) {
+        let place = if crossing.at.is_nan() { self.none } else { crossing.at };
         match &self.place {
-            Some(Reals::F64(writer)) => writer.put(at, place),
-            Some(Reals::F32(writer)) => writer.put(at, place.map(f32_same_sign)),
+            Some(Reals::F64(writer)) => writer.put(at, (0..edges).map(|_| place)),
+            Some(Reals::F32(writer)) => writer.put(at, (0..edges).map(|_| f32_same_sign(place))),
             None => {}
         }
-        let count = run.iter().map(|c| c.count);
         match &self.count {
-            Some(Integers::I32(writer)) => writer.put(at, count),
-            Some(Integers::I8(writer)) => writer.put(at, count.map(|n| n.min(127) as i8)),
+            Some(Integers::I32(writer)) => writer.put(at, (0..edges).map(|_| crossing.count)),
+            Some(Integers::I8(writer)) => writer.put(at, (0..edges).map(|_| crossing.count.min(127) as i8)),
             None => {}
         }
         if let Some(writer) = &self.tag {
-            writer.put(at, run.iter().map(|c| c.tag));
+            writer.put(at, (0..edges).map(|_| crossing.tag));
         }
         if let Some(writer) = &self.part {
-            writer.put(at, run.iter().map(|c| c.part));
+            writer.put(at, (0..edges).map(|_| crossing.part));
         }
     }
 }

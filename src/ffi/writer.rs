@@ -106,7 +106,7 @@ pub(super) struct Writer<T> {
     stride: [isize; 3],
 }
 
-// SAFETY: `put` writes elements of disjoint sets from different threads, and nothing is read.
+// SAFETY: different threads write disjoint sets of elements, and nothing is read.
 unsafe impl<T: Send> Send for Writer<T> {}
 // SAFETY: as above.
 unsafe impl<T: Send> Sync for Writer<T> {}
@@ -140,21 +140,45 @@ impl<T: Copy> Writer<T> {
         Ok(Writer { data, extent, stride })
     }
 
-    /// Writes the elements of (i, j, k), (i+1, j, k), ... Each element is written once during a call.
-    pub(super) fn put(&self, [i, j, k]: [usize; 3], items: impl ExactSizeIterator<Item = T>) {
-        if items.len() == 0 {
+    /// Where the elements of (i, j, k), (i+1, j, k), ... begin, of which there are that many.
+    #[inline(always)]
+    fn at(&self, [i, j, k]: [usize; 3], count: usize) -> *mut T {
+        let [nx, ny, nz] = self.extent;
+        assert!(i <= nx && count <= nx - i && j < ny && k < nz, "a result outside the array");
+        let [sx, sy, sz] = self.stride;
+        self.data.wrapping_offset(i as isize * sx + j as isize * sy + k as isize * sz)
+    }
+
+    /// Writes the elements of (i, j, k), (i+1, j, k), ... Each element is written by one thread during a call.
+    pub(super) fn put(&self, at: [usize; 3], items: impl ExactSizeIterator<Item = T>) {
+        let count = items.len();
+        if count == 0 {
             return;
         }
-        let [nx, ny, nz] = self.extent;
-        assert!(i <= nx && items.len() <= nx - i && j < ny && k < nz, "a result outside the array");
-        let [sx, sy, sz] = self.stride;
-        let mut at = self.data.wrapping_offset(i as isize * sx + j as isize * sy + k as isize * sz);
-        for item in items {
-            // SAFETY: inside the extent, whose every element the caller lets us write, and this one is
-            // written by this thread alone.
-            unsafe { at.write(item) };
-            at = at.wrapping_offset(sx);
+        let (mut at, step) = (self.at(at, count), self.stride[0]);
+        if step == 1 {
+            for (k, item) in items.take(count).enumerate() {
+                // SAFETY: inside the extent, whose every element the caller lets us write, and this one is
+                // written by this thread alone.
+                unsafe { at.wrapping_add(k).write(item) };
+            }
+            return;
         }
+        for item in items.take(count) {
+            // SAFETY: as above.
+            unsafe { at.write(item) };
+            at = at.wrapping_offset(step);
+        }
+    }
+
+    /// [`Writer::put`] of items that lie side by side.
+    pub(super) fn put_copy(&self, at: [usize; 3], items: &[T]) {
+        if self.stride[0] != 1 || items.is_empty() {
+            return self.put(at, items.iter().copied());
+        }
+        let to = self.at(at, items.len());
+        // SAFETY: as in `put`; the items are the library's own.
+        unsafe { ptr::copy_nonoverlapping(items.as_ptr(), to, items.len()) };
     }
 }
 

@@ -16,6 +16,7 @@ mod parts;
 mod placement;
 mod properties;
 mod repeat;
+mod scanned;
 mod segment;
 mod shape;
 mod simplify;
@@ -32,8 +33,10 @@ pub use closest::Closest;
 pub use properties::{
     Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod,
 };
+pub(crate) use scanned::{Buffers, Scanned};
 pub(crate) use segment::{Change, Event, NO_PART};
 pub use shape::ExpressionOptions;
+pub(crate) use surface::BandWork;
 
 use crate::math::Aabb;
 use node::Node;

@@ -5,7 +5,7 @@
 use super::Geometry;
 use super::node::Node;
 use super::shape::Crossings;
-use super::surface::Surface;
+use super::surface::{Hit, Surface};
 use crate::math::{Aabb, Vec3, positive_zero};
 
 /// No label.
@@ -46,7 +46,7 @@ impl Event {
     }
 
     /// Seen from the other side of the surface.
-    fn turned(self) -> Event {
+    pub(super) fn turned(self) -> Event {
         let change = match self.change {
             Change::Enter => Change::Leave,
             Change::Leave => Change::Enter,
@@ -144,8 +144,14 @@ fn surface_events(surface: &Surface, a: Vec3, b: Vec3) -> Vec<Event> {
         return Vec::new();
     }
     let hits = surface.hits(a, b);
-    let mut winding = if surface.is_signed() && !hits.is_empty() { surface.winding(a) } else { 0 };
+    let winding = if surface.is_signed() && !hits.is_empty() { surface.winding(a) } else { 0 };
     let mut events = Vec::new();
+    side_changes(surface, &hits, winding, &mut events);
+    events
+}
+
+/// Of the triangles met from a point of this winding number on, those where the side changes.
+pub(super) fn side_changes(surface: &Surface, hits: &[Hit], mut winding: i32, events: &mut Vec<Event>) {
     for hit in hits {
         let before = winding >= 1;
         winding += hit.change;
@@ -164,7 +170,6 @@ fn surface_events(surface: &Surface, a: Vec3, b: Vec3) -> Vec<Event> {
             tag: surface.tag(hit.triangle),
         });
     }
-    events
 }
 
 /// A part, moved by a shift.

@@ -3,18 +3,21 @@
 
 use super::Vec3;
 
+#[inline(always)]
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let t = s - a;
     (s, (a - (s - t)) + (b - t))
 }
 
+#[inline(always)]
 fn split(a: f64) -> (f64, f64) {
     let c = 134_217_729.0 * a;
     let hi = c - (c - a);
     (hi, a - hi)
 }
 
+#[inline(always)]
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     let ((ah, al), (bh, bl)) = (split(a), split(b));
@@ -22,11 +25,13 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// `(a.0 + a.1) * (b.0 + b.1)`, the last product left out.
+#[inline(always)]
 fn multiply(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     let (p, e) = two_product(a.0, b.0);
     two_sum(p, e + (a.0 * b.1 + a.1 * b.0))
 }
 
+#[inline(always)]
 fn subtract(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     let (s, e) = two_sum(a.0, -b.0);
     two_sum(s, e + (a.1 - b.1))
@@ -45,16 +50,22 @@ pub fn cross_of_differences(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
     Vec3::new(minor(uy, vz, uz, vy), minor(uz, vx, ux, vz), minor(ux, vy, uy, vx))
 }
 
-/// `(b - a) x (c - a) . (d - a)` with an error of about 1e-30 of its largest terms. Not finite where its
-/// terms are beyond 1e290.
-pub fn volume_of_differences(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
-    let from_a = |p: Vec3| [0, 1, 2].map(|k| two_sum(p[k], -a[k]));
-    let (u, v, w) = (from_a(b), from_a(c), from_a(d));
-    let term = |k: usize| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        multiply(subtract(multiply(u[i], v[j]), multiply(u[j], v[i])), w[k])
-    };
-    let add = |p: (f64, f64), q: (f64, f64)| subtract(p, (-q.0, -q.1));
-    let (hi, lo) = add(add(term(0), term(1)), term(2));
-    hi + lo
+/// `(b - a) x (c - a) . (d - a)` for several points d, with an error of about 1e-30 of its largest terms. Not finite
+/// where its terms are beyond 1e290.
+#[inline]
+pub fn volumes_of_differences<const N: usize>(a: Vec3, b: Vec3, c: Vec3, d: [Vec3; N]) -> [f64; N] {
+    let from_a = |p: Vec3| -> Twice3 { [two_sum(p.x, -a.x), two_sum(p.y, -a.y), two_sum(p.z, -a.z)] };
+    let (u, v) = (from_a(b), from_a(c));
+    let minor = |i: usize, j: usize| subtract(multiply(u[i], v[j]), multiply(u[j], v[i]));
+    let area = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    let add = |p: Twice, q: Twice| subtract(p, (-q.0, -q.1));
+    d.map(|d| {
+        let w = from_a(d);
+        let (hi, lo) = add(add(multiply(area[0], w[0]), multiply(area[1], w[1])), multiply(area[2], w[2]));
+        hi + lo
+    })
 }
+
+/// A number as a sum of two.
+type Twice = (f64, f64);
+type Twice3 = [Twice; 3];

@@ -11,7 +11,7 @@ mod interval_functions;
 mod rounding;
 
 pub use aabb::Aabb;
-pub use double_double::{cross_of_differences, volume_of_differences};
+pub use double_double::{cross_of_differences, volumes_of_differences};
 pub use glam::{DMat3 as Mat3, DVec3 as Vec3, Vec3Swizzles as Swizzles};
 pub use interval::Interval;
 pub use interval_functions::power;

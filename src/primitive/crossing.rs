@@ -4,7 +4,7 @@
 //! coordinates, so that a line through an edge or a vertex meets exactly the triangles it must: the
 //! counts of a closed mesh are watertight.
 
-use crate::math::{Vec3, volume_of_differences};
+use crate::math::{Vec3, volumes_of_differences};
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// A line parallel to an axis, seen along it: the axes are permuted cyclically so that the line is
@@ -20,6 +20,11 @@ impl AxisLine {
     pub(crate) fn new(axis: usize, p: Vec3) -> AxisLine {
         let p = p.to_array();
         AxisLine { axis, at: [p[(axis + 1) % 3], p[(axis + 2) % 3]] }
+    }
+
+    /// The line along `axis` with these next two coordinates, in cyclic order.
+    pub(crate) fn through(axis: usize, at: [f64; 2]) -> AxisLine {
+        AxisLine { axis, at }
     }
 
     fn flat(&self, p: Vec3) -> [f64; 2] {
@@ -43,15 +48,9 @@ impl AxisLine {
             let (from, to) = (corner[k], corner[(k + 1) % 3]);
             let rises = from[1] <= v && v < to[1];
             let falls = to[1] <= v && v < from[1];
-            if !(rises || falls) || (from[0] <= u && to[0] <= u) {
-                // An edge not to the right of the line never counts; at equality the infinitesimal move
-                // puts the line to the right of it.
-                continue;
-            }
-            let side = orient2d(xy(from), xy(to), xy([u, v]));
-            if rises && side > 0.0 {
+            if rises && is_right(from, to, [u, v]) {
                 turns += 1;
-            } else if falls && side < 0.0 {
+            } else if falls && is_right(to, from, [u, v]) {
                 turns -= 1;
             }
         }
@@ -74,6 +73,13 @@ impl AxisLine {
         let side = orient3d(a, b, c, Coord3D { x: self.at[0], y: self.at[1], z });
         if turn > 0 { side > 0.0 } else { side < 0.0 }
     }
+}
+
+/// Whether a rising edge passes to the right of a point in whose row it lies. At equality it does not: the infinitesimal
+/// move puts the line to the right of the edge.
+#[inline]
+pub(crate) fn is_right(from: [f64; 2], to: [f64; 2], at: [f64; 2]) -> bool {
+    (from[0] > at[0] || to[0] > at[0]) && orient2d(xy(from), xy(to), xy(at)) > 0.0
 }
 
 fn xy(p: [f64; 2]) -> Coord<f64> {
@@ -114,8 +120,7 @@ pub(crate) fn segment_meets(a: Vec3, b: Vec3, t: [Vec3; 3]) -> i32 {
 /// Where the line from `a` (0) to `b` (1) meets the plane of a triangle, which has this normal, clamped to
 /// [0, 1]. From the volumes over the triangle: a rounded normal says nothing where the segment runs nearly within the plane.
 pub(crate) fn fraction(a: Vec3, b: Vec3, t: [Vec3; 3], normal: Vec3) -> f64 {
-    let height = |p: Vec3| volume_of_differences(t[0], t[1], t[2], p);
-    let (start, end) = (height(a), height(b));
+    let [start, end] = volumes_of_differences(t[0], t[1], t[2], [a, b]);
     let at = start / (start - end);
     if at.is_finite() {
         return at.clamp(0.0, 1.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Values at the points of a lattice: the node values of a level set.
 
-use super::{CHUNK, Lattice, check, suited};
+use super::{CHUNK, Lattice, check, scanned_band, scanned_signs, sides, suited};
 use crate::error::{Error, Result};
 use crate::geometry::{Geometry, Kind};
 use crate::math::Vec3;
@@ -20,7 +20,7 @@ pub enum FillMode {
 
 impl FillMode {
     /// What this mode writes for a value.
-    fn of(self, value: f64) -> f64 {
+    pub(super) fn of(self, value: f64) -> f64 {
         match self {
             FillMode::Exact => value,
             FillMode::Band(band) if value.abs() < band => value,
@@ -51,6 +51,47 @@ pub fn fill(
             "mode: of a part of this geometry only the sign is known (EMB_SIGN_ONLY): fill with EMB_FILL_SIGN, or make a callback with a kind, an expression with finite bounds and emb_geom_lower_bound",
         ));
     }
+    if mode == FillMode::Sign {
+        return fill_signs(g, lattice, run, &|at, signs| {
+            let mut values = [0.0; CHUNK];
+            for (k, signs) in signs.chunks(CHUNK).enumerate() {
+                values.iter_mut().zip(signs).for_each(|(value, sign)| *value = f64::from(*sign));
+                emit([at[0] + k * CHUNK, at[1], at[2]], &values[..signs.len()]);
+            }
+        });
+    }
+    if let FillMode::Band(band) = mode
+        && let Some(scanned) = g.scanned(lattice.axes)
+        && scanned_band::values(g, &scanned, lattice, band, run, emit)?
+    {
+        return Ok(());
+    }
+    one_by_one(g, lattice, mode, run, emit)
+}
+
+/// [`fill`] with [`FillMode::Sign`]: -1, 0 and +1.
+pub fn fill_signs(g: &Geometry, lattice: &Lattice, run: &Run, emit: &(dyn Fn([usize; 3], &[i8]) + Sync)) -> Result<()> {
+    if let Some(scanned) = g.scanned(lattice.axes) {
+        return scanned_signs::signs(g, &scanned, lattice, run, emit);
+    }
+    if !g.has_blocks() && sides::are_known(g) {
+        return sides::signs(g, lattice, run, emit);
+    }
+    one_by_one(g, lattice, FillMode::Sign, run, &|at, values| {
+        let mut signs = [0; CHUNK];
+        // Coordinates are finite: there is no NaN among the values.
+        signs.iter_mut().zip(values).for_each(|(sign, value)| *sign = *value as i8);
+        emit(at, &signs[..values.len()]);
+    })
+}
+
+fn one_by_one(
+    g: &Geometry,
+    lattice: &Lattice,
+    mode: FillMode,
+    run: &Run,
+    emit: &(dyn Fn([usize; 3], &[f64]) + Sync),
+) -> Result<()> {
     if g.has_blocks() {
         return in_blocks(g, lattice, mode, run, emit);
     }

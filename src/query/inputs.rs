@@ -89,6 +89,11 @@ impl<'a> Lattice<'a> {
         Ok(Lattice { axes })
     }
 
+    /// The point (i, j, k).
+    pub(super) fn point(&self, at: [usize; 3]) -> Vec3 {
+        Vec3::new(self.axes[0][at[0]], self.axes[1][at[1]], self.axes[2][at[2]])
+    }
+
     /// Points along each axis.
     pub fn n(&self) -> [usize; 3] {
         self.axes.map(<[f64]>::len)

@@ -5,7 +5,7 @@
 //! same crossing whoever asks and from whichever end.
 
 use super::fill::in_row_pieces;
-use super::{CHUNK, Lattice, check, in_chunks, suited};
+use super::{CHUNK, Lattice, check, in_chunks, scanned_crossings, sides, suited};
 use crate::error::{Error, Result};
 use crate::geometry::{Change, Event, Geometry, NO_PART};
 use crate::math::{Vec3, positive_zero};
@@ -52,6 +52,9 @@ pub struct Crossing {
     pub part: i32,
 }
 
+/// Told of a row of edges along x: where it begins, how many there are, and which of them meet the surface.
+pub type EmitCrossings<'a> = &'a (dyn Fn([usize; 3], usize, &[(usize, Crossing)]) + Sync);
+
 const NO_INTERCEPT: Intercept =
     Intercept { t: f64::NAN, count: 0, status: 0, normal: Vec3::NAN, primitive: -1, part: NO_PART, tag: -1 };
 
@@ -78,38 +81,66 @@ pub fn intercepts(
 }
 
 /// Crossings of the edges that join each lattice point to its neighbour along `axis`:
-/// `emit([i, j, k], crossings)` gives those that begin at (i, j, k), (i + 1, j, k), ...
+/// `emit([i, j, k], count, crossings)` tells of the edges that begin at (i, j, k), (i + 1, j, k), ... as many as
+/// `count`, those that meet the surface, each with how many edges lie before it.
 pub fn crossings(
     g: &Geometry,
     lattice: &Lattice,
     axis: usize,
     form: CrossingForm,
     run: &Run,
-    emit: &(dyn Fn([usize; 3], &[Crossing]) + Sync),
+    emit: EmitCrossings,
 ) -> Result<()> {
     if axis > 2 {
         return Err(Error::invalid(format!("axis: {axis} is not 0, 1 or 2")));
     }
+    if let Some(scanned) = g.scanned(lattice.axes) {
+        return scanned_crossings::crossings(g, &scanned, lattice, axis, form, run, emit);
+    }
+    if sides::are_known(g) {
+        return sides::crossings(g, lattice, axis, form, run, emit);
+    }
     let mut edges = lattice.n();
     edges[axis] = edges[axis].saturating_sub(1);
-    let point = |at: [usize; 3]| Vec3::from_array([0, 1, 2].map(|d| lattice.axes[d][at[d]]));
     in_row_pieces(&suited(g, run), edges, &|at, count| {
-        let mut found = Vec::with_capacity(count);
+        let mut found = Vec::new();
         for d in 0..count {
             let from = [at[0] + d, at[1], at[2]];
             let mut to = from;
             to[axis] += 1;
-            let (a, b) = (point(from), point(to));
-            let (answer, from_low) = intercept(g, a, b)?;
-            let at = match form {
-                CrossingForm::Fraction => answer.t,
-                CrossingForm::Coordinate => coordinate(a[axis].min(b[axis]), a[axis].max(b[axis]), from_low),
-            };
-            found.push(Crossing { at, count: answer.count, tag: answer.tag, part: answer.part });
+            let crossing = crossing(g, lattice.point(from), lattice.point(to), axis, form)?;
+            if crossing.is_any() {
+                found.try_reserve(1).map_err(|_| Error::memory("crossings", count))?;
+                found.push((d, crossing));
+            }
         }
-        emit(at, &found);
+        emit(at, count, &found);
         Ok(())
     })
+}
+
+/// The crossing of an edge along `axis`.
+pub(super) fn crossing(g: &Geometry, a: Vec3, b: Vec3, axis: usize, form: CrossingForm) -> Result<Crossing> {
+    let (answer, from_low) = intercept(g, a, b)?;
+    Ok(answer.in_form(from_low, a[axis], b[axis], form))
+}
+
+impl Crossing {
+    /// Whether the surface was met.
+    pub(super) fn is_any(&self) -> bool {
+        self.count != 0 || !self.at.is_nan()
+    }
+}
+
+impl Intercept {
+    /// As the crossing of an edge between two coordinates, from its place counted from the lesser one.
+    pub(super) fn in_form(&self, from_low: f64, a: f64, b: f64, form: CrossingForm) -> Crossing {
+        let at = match form {
+            CrossingForm::Fraction => self.t,
+            CrossingForm::Coordinate => coordinate(a.min(b), a.max(b), from_low),
+        };
+        Crossing { at, count: self.count, tag: self.tag, part: self.part }
+    }
 }
 
 /// The coordinate at `t` between two ends, never beyond them; NaN where `t` is.
@@ -125,12 +156,15 @@ fn intercept(g: &Geometry, a: Vec3, b: Vec3) -> Result<(Intercept, f64)> {
     }
     let turned = b.to_array() < a.to_array();
     let (low, high) = if turned { (b, a) } else { (a, b) };
-    let mut answer = ordered(g, low, high)?;
-    let from_low = answer.t;
-    if turned {
-        answer.t = 1.0 - from_low;
+    let answer = ordered(g, low, high)?;
+    Ok((answer.seen(turned), answer.t))
+}
+
+impl Intercept {
+    /// From the end of lesser coordinates, or from the other one.
+    pub(super) fn seen(self, turned: bool) -> Intercept {
+        Intercept { t: if turned { 1.0 - self.t } else { self.t }, ..self }
     }
-    Ok((answer, from_low))
 }
 
 /// The same, from the end of lesser coordinates.
@@ -141,21 +175,25 @@ fn ordered(g: &Geometry, low: Vec3, high: Vec3) -> Result<Intercept> {
     if values.0.is_nan() || values.1.is_nan() {
         return Ok(NO_INTERCEPT);
     }
+    settled(g, low, high, values, &g.events(low, high))
+}
+
+/// The same where the meetings with the surface are known, and the values of the ends, or their signs.
+pub(super) fn settled(g: &Geometry, low: Vec3, high: Vec3, values: (f64, f64), events: &[Event]) -> Result<Intercept> {
     let inside = (values.0 <= 0.0, values.1 <= 0.0);
-    let events = g.events(low, high);
     let count = events.len() as i32;
     if inside.0 == inside.1 {
         return Ok(Intercept { count, ..NO_INTERCEPT });
     }
-    let crossings: Vec<&Event> = events.iter().filter(|e| e.change != Change::Touch).collect();
+    let mut crossings = events.iter().filter(|e| e.change != Change::Touch);
+    let number = crossings.clone().count();
     let change = if inside.0 { Change::Leave } else { Change::Enter };
     // The sides alternate, beginning and ending as the values say.
-    let agrees =
-        crossings.len() % 2 == 1 && crossings.iter().enumerate().all(|(k, e)| (e.change == change) == (k % 2 == 0));
-    let nearest_outside = if inside.0 { crossings.last() } else { crossings.first() };
+    let agrees = number % 2 == 1 && crossings.clone().enumerate().all(|(k, e)| (e.change == change) == (k % 2 == 0));
+    let nearest_outside = if inside.0 { crossings.next_back() } else { crossings.next() };
     let (event, status) = match nearest_outside {
         Some(event) if agrees && (g.has_slope() || g.changes_side(low, high, event.t)) => {
-            (**event, if crossings.len() > 1 { 2 } else { 1 })
+            (*event, if number > 1 { 2 } else { 1 })
         }
         // A zero end needs no search.
         _ if values.0 == 0.0 => (g.bisected_event(low, 0.0, change), 1),

@@ -15,6 +15,10 @@ mod fill;
 mod inputs;
 mod intercept;
 mod order;
+mod scanned_band;
+mod scanned_crossings;
+mod scanned_signs;
+mod sides;
 mod values;
 
 pub use crate::geometry::Closest;
@@ -22,9 +26,9 @@ pub use bounding::{Bounding, bounding_box, bounding_sphere};
 pub use classify::{classify_box, classify_boxes};
 pub use closest::closest;
 pub use diagnose::diagnose;
-pub use fill::{FillMode, fill};
+pub use fill::{FillMode, fill, fill_signs};
 pub use inputs::{Lattice, PointSource, Strided};
-pub use intercept::{Crossing, CrossingForm, Intercept, crossings, intercepts};
+pub use intercept::{Crossing, CrossingForm, EmitCrossings, Intercept, crossings, intercepts};
 pub use values::values;
 
 use crate::error::{Error, Result, Status};

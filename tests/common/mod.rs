@@ -7,6 +7,7 @@
 
 pub mod bodies;
 mod description;
+pub mod edges;
 pub mod native;
 pub mod obj_files;
 pub mod points;

@@ -3,6 +3,7 @@
 
 use super::trees::{each, places};
 use super::{direction, same, vector};
+use crate::common::edges::{crossings, every_edge};
 use crate::common::random::Random;
 use embound::geometry::Geometry;
 use embound::math::Vec3;
@@ -105,8 +106,8 @@ fn lattice_edges_of_random_trees_have_the_crossings_of_segments_and_the_sides_of
             n[direction] -= 1;
             for form in [CrossingForm::Coordinate, CrossingForm::Fraction] {
                 let seen = Mutex::new(0);
-                query::crossings(g, &lattice, direction, form, &Run::SERIAL, &|at, found| {
-                    for (d, crossing) in found.iter().enumerate() {
+                query::crossings(g, &lattice, direction, form, &Run::SERIAL, &|at, count, found| {
+                    for (d, crossing) in every_edge(count, found).iter().enumerate() {
                         *seen.lock().unwrap() += 1;
                         let from = [at[0] + d, at[1], at[2]];
                         let mut to = from;
@@ -160,4 +161,46 @@ fn thin_and_tangent_things_end_the_search() {
             assert!(hit.count >= i32::from(opposite), "{a} to {b}: {hit:?}");
         }
     }
+}
+
+#[test]
+fn whole_lattices_of_random_trees_have_the_signs_and_crossings_of_points_and_edges() {
+    let (mut crossed, mut left_out) = (0, 0);
+    each(24, 60, |k, g, random| {
+        let axis = |random: &mut Random, n: usize| {
+            let (from, to) = (random.range(-2.5, -1.0), random.range(1.0, 2.5));
+            (0..n).map(|i| from + (to - from) * i as f64 / (n - 1) as f64).collect::<Vec<f64>>()
+        };
+        let (mut x, y, z) = (axis(random, 21), axis(random, 19), axis(random, 18));
+        if random.below(2) == 0 {
+            x.reverse();
+        }
+        let lattice = Lattice::new(&x, &y, &z).unwrap();
+        let point = |i: [usize; 3]| Vec3::new(x[i[0]], y[i[1]], z[i[2]]);
+        query::fill_signs(g, &lattice, &Run::SERIAL, &|at, signs| {
+            for (d, sign) in signs.iter().enumerate() {
+                let value = g.value(point([at[0] + d, at[1], at[2]]));
+                assert_eq!(*sign, i8::from(value > 0.0) - i8::from(value < 0.0), "tree {k}");
+            }
+        })
+        .unwrap();
+        let direction = random.below(3);
+        let mut n = lattice.n();
+        n[direction] -= 1;
+        let found = crossings(g, &lattice, direction, CrossingForm::Fraction, &Run::SERIAL);
+        let ends = |e: usize| {
+            let from = [e % n[0], e / n[0] % n[1], e / n[0] / n[1]];
+            let mut to = from;
+            to[direction] += 1;
+            (point(from), point(to))
+        };
+        let segments: Vec<(Vec3, Vec3)> = (0..found.len()).map(ends).collect();
+        for ((crossing, hit), ends) in found.iter().zip(intercepts(g, &segments)).zip(&segments) {
+            let same = (crossing.at.to_bits(), crossing.count, crossing.part, crossing.tag);
+            assert_eq!(same, (hit.t.to_bits(), hit.count, hit.part, hit.tag), "tree {k}, {ends:?}");
+            crossed += usize::from(hit.count > 0);
+            left_out += usize::from(hit.count == 0);
+        }
+    });
+    assert!(crossed > 1000 && left_out > 10_000, "{crossed} {left_out}");
 }

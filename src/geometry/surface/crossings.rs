@@ -4,7 +4,7 @@
 
 use super::Surface;
 use crate::math::{Aabb, Vec3};
-use crate::primitive::crossing::{AxisLine, fraction, segment_meets};
+use crate::primitive::crossing::{AxisLine, segment_meets};
 
 /// One meeting of a segment with a triangle.
 #[derive(Clone, Copy, Debug)]
@@ -30,12 +30,18 @@ impl Surface {
                 _ => -segment_meets(a, b, corners),
             };
             if change != 0 {
-                let normal = self.normal(triangle);
-                hits.push(Hit { t: fraction(a, b, corners, normal), triangle, change, normal });
+                hits.push(self.hit(a, b, triangle, change));
             }
         });
-        hits.sort_unstable_by(|u, v| u.t.total_cmp(&v.t).then(u.triangle.cmp(&v.triangle)));
+        Hit::sort(&mut hits);
         hits
+    }
+}
+
+impl Hit {
+    /// In order; of equal ones the lower triangle first.
+    pub(crate) fn sort(hits: &mut [Hit]) {
+        hits.sort_unstable_by(|u, v| u.t.total_cmp(&v.t).then(u.triangle.cmp(&v.triangle)));
     }
 }
 

@@ -2,6 +2,7 @@
 //! Distance to a triangle surface: triangles laid out eight side by side, leaf after leaf of the
 //! hierarchy, and what the sign needs. Index-based arrays only.
 
+mod band;
 mod build;
 mod check;
 mod columns;
@@ -9,10 +10,13 @@ mod crossings;
 mod nearest;
 mod normals;
 mod refit;
+mod scanned;
 mod sides;
 mod sign;
 mod tile;
 
+pub(crate) use band::{BandSlab, BandWork};
+pub(crate) use crossings::Hit;
 pub(crate) use nearest::Nearest;
 use sides::Sides;
 pub(crate) use tile::Block;

@@ -12,7 +12,7 @@ const CLEAR_COSINE: f64 = 1e-3;
 
 /// Nearer than this times the largest coordinate or the diagonal, the direction of the offset is rounding:
 /// crossings decide.
-const CLEAR_DISTANCE: f64 = 1e-11;
+pub(super) const CLEAR_DISTANCE: f64 = 1e-11;
 
 impl Surface {
     /// Signed distance: negative inside. Zero is +0.0.

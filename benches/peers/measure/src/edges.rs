@@ -65,8 +65,8 @@ fn all(g: &Geometry, axes: &[Vec<f64>; 3]) -> Result<(f64, Vec<Crossed>), Box<dy
     let (mut time, mut found) = (0.0, Vec::new());
     for axis in 0..3 {
         let here = Mutex::new(Vec::new());
-        let emit = |[i, j, k]: [usize; 3], crossings: &[query::Crossing]| {
-            let crossed = crossings.iter().enumerate().filter(|(_, c)| !c.at.is_nan());
+        let emit = |[i, j, k]: [usize; 3], _: usize, crossings: &[(usize, query::Crossing)]| {
+            let crossed = crossings.iter().filter(|(_, c)| !c.at.is_nan());
             here.lock().expect("no panic").extend(crossed.map(|(d, c)| ([i + d, j, k], axis, c.at)));
         };
         let form = CrossingForm::Coordinate;
