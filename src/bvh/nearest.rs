@@ -74,6 +74,32 @@ impl<S: Simd> Way<S> for Signed {
     }
 }
 
+/// The boxes along the axes; those around a point are at distance zero.
+pub(crate) struct Plain;
+
+impl<S: Simd> Way<S> for Plain {
+    type Boxes = Node;
+
+    #[inline(always)]
+    fn boxes(tree: &Tree) -> &[Node] {
+        &tree.nodes
+    }
+
+    #[inline(always)]
+    fn child(node: &Node) -> &[u32; WIDTH] {
+        &node.child
+    }
+
+    #[inline(always)]
+    fn keys(simd: S, node: &Node, at: [f32; 3]) -> <S::Float as Float8<S>>::Keys {
+        let zero = S::Float::splat(simd, 0.0);
+        let x = outside(simd, node, at, 0).max(zero);
+        let y = outside(simd, node, at, 1).max(zero);
+        let z = outside(simd, node, at, 2).max(zero);
+        x.mul(x).add(y.mul(y)).add(z.mul(z)).keys(&node.child)
+    }
+}
+
 impl<S: Simd> Way<S> for Around {
     type Boxes = Oriented;
 

@@ -105,6 +105,11 @@ impl Tree {
         self.oriented = oriented;
         Ok(())
     }
+
+    /// Without the oriented boxes: a third of the memory.
+    pub(crate) fn without_fit(self) -> Tree {
+        Tree { oriented: Vec::new(), ..self }
+    }
 }
 
 /// Points, coordinate by coordinate.

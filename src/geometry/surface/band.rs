@@ -87,7 +87,7 @@ impl Surface {
     pub(crate) fn band_pays(&self, slab: &BandSlab, rows: usize) -> bool {
         let [nx, ny] = slab.row_len();
         let points = nx * ny * slab.rows.len();
-        if self.tree.is_none() || slab.band > WIDEST * self.diagonal() || nx * ny * rows > MOST_POINTS {
+        if self.leaves.is_empty() || slab.band > WIDEST * self.diagonal() || nx * ny * rows > MOST_POINTS {
             return false;
         }
         let reach = slab.reach(self);

@@ -36,11 +36,21 @@ impl Surface {
         if surface.sign == Sign::Pseudonormal {
             surface.check_embedding(pieces, topology, &leaves, run)?;
         }
-        surface.sides = Sides::new(&surface)?;
-        if options.accelerator == Accelerator::None {
-            (surface.tree, surface.leaves) = (None, Vec::new());
+        surface.laid_out(options.accelerator, leaves)
+    }
+
+    /// What remains to be done when the sign is known.
+    pub(super) fn laid_out(mut self, accelerator: Accelerator, leaves: Leaves) -> Result<Surface> {
+        self.sides = Sides::new(&self)?;
+        match accelerator {
+            Accelerator::Auto => {}
+            Accelerator::None => (self.tree, self.leaves) = (None, Vec::new()),
+            Accelerator::Compact => {
+                (self.compact, self.leaves) = (Some(leaves), Vec::new());
+                self.tree = self.tree.map(Tree::without_fit);
+            }
         }
-        Ok(surface)
+        Ok(self)
     }
 
     /// Lays everything out. The sign is that which the topology of the triangles allows; it is not checked yet.
@@ -81,6 +91,7 @@ impl Surface {
         let sign = kept.asked.1;
         let mut surface = Surface {
             leaves,
+            compact: None,
             tree: Some(tree),
             vertices,
             triangles: kept.triangles,
@@ -105,9 +116,6 @@ impl Surface {
 
 /// The sign the options ask for and the mesh can have.
 fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
-    if options.accelerator == Accelerator::Compact {
-        return Err(Error::unsupported("options.accelerator: COMPACT (2) is not available in this version"));
-    }
     if options.open != Open::Error {
         return Err(Error::unsupported(format!(
             "options.open: {} (CAP 1, SWEEP 2) is not available in this version",

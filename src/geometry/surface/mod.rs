@@ -21,7 +21,7 @@ pub(crate) use nearest::Nearest;
 use sides::Sides;
 pub(crate) use tile::Block;
 
-use crate::bvh::Tree;
+use crate::bvh::{Leaves, Tree};
 use crate::error::Result;
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
@@ -74,6 +74,8 @@ impl Corners {
 /// Signed or unsigned distance to a triangle surface. Immutable.
 pub(crate) struct Surface {
     leaves: Vec<Leaf>,
+    /// In the compact layout, where there are no `leaves`: the triangles of each.
+    compact: Option<Leaves>,
     /// None: every triangle is looked at.
     tree: Option<Tree>,
     vertices: Vec<Vec3>,
@@ -188,6 +190,7 @@ impl Surface {
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(self)
             + size_of_val(&self.leaves[..])
+            + self.compact.as_ref().map_or(0, |all| size_of_val(&all.order[..]) + size_of_val(&all.start[..]))
             + self.tree.as_ref().map_or(0, Tree::bytes)
             + size_of_val(&self.vertices[..])
             + size_of_val(&self.triangles[..])
@@ -223,12 +226,26 @@ impl Surface {
         self.normals[triangle as usize]
     }
 
+    fn leaf_count(&self) -> usize {
+        self.compact.as_ref().map_or(self.leaves.len(), |all| all.start.len() - 1)
+    }
+
+    /// The triangles of a leaf.
+    #[inline(always)]
+    fn members(&self, leaf: usize) -> &[u32] {
+        match &self.compact {
+            Some(all) => &all.order[all.start[leaf] as usize..all.start[leaf + 1] as usize],
+            None => {
+                let triangle = &self.leaves[leaf].triangle;
+                &triangle[..triangle.iter().position(|t| *t == NO_TRIANGLE).unwrap_or(WIDTH)]
+            }
+        }
+    }
+
     /// Calls `visit` for every triangle whose box may meet `region`.
     fn overlapping(&self, region: Aabb, mut visit: impl FnMut(u32)) {
         match &self.tree {
-            Some(tree) => tree.overlapping(region, |leaf| {
-                self.leaves[leaf].triangle.iter().filter(|&&t| t != NO_TRIANGLE).for_each(|&t| visit(t));
-            }),
+            Some(tree) => tree.overlapping(region, |leaf| self.members(leaf).iter().for_each(|&t| visit(t))),
             None => (0..self.triangles.len() as u32).for_each(visit),
         }
     }
@@ -242,8 +259,7 @@ impl Surface {
         let near = Aabb::new(b.lo - room, b.hi + room);
         let meets = |t: u32| !are_apart(self.corners(t), near);
         match &self.tree {
-            Some(tree) => !tree
-                .any_overlapping(near, |leaf| self.leaves[leaf].triangle.iter().any(|&t| t != NO_TRIANGLE && meets(t))),
+            Some(tree) => !tree.any_overlapping(near, |leaf| self.members(leaf).iter().any(|&t| meets(t))),
             None => !(0..self.triangles.len() as u32).any(meets),
         }
     }

@@ -8,7 +8,7 @@
 use super::{Leaf, NO_TRIANGLE, Surface};
 use crate::bvh::{self, GROUP, LeafDistance, Tree};
 use crate::math::{Vec3, length};
-use crate::primitive::triangle::{self, Foot, Prepared, V3};
+use crate::primitive::triangle::{self, Foot, Prepared, RELATIVE_ERROR, V3};
 use crate::simd::float8::{Float8, Simd};
 use crate::simd::lanes::{F64s, Lanes, WIDTH};
 use crate::simd::{Kernel, dispatch, prefetch};
@@ -79,6 +79,55 @@ impl Kernel for Search<'_> {
         let mut candidates = Candidates::new(surface, p, &mut best);
         bvh::nearest::<S, bvh::Around>(simd, tree, p, f32::INFINITY, &mut candidates);
         best
+    }
+}
+
+/// The search by the hierarchy in the compact layout: the kernel for every triangle of a leaf.
+struct SearchCompact<'a> {
+    surface: &'a Surface,
+    tree: &'a Tree,
+    p: Vec3,
+    best: Best,
+}
+
+impl Kernel for SearchCompact<'_> {
+    type Output = Best;
+
+    #[inline(always)]
+    fn run<S: Simd>(mut self, simd: S) -> Best {
+        let (tree, p) = (self.tree, self.p);
+        bvh::nearest::<S, bvh::Plain>(simd, tree, p, f32::INFINITY, &mut self);
+        self.best
+    }
+}
+
+impl<S: Simd> LeafDistance<S> for SearchCompact<'_> {
+    #[inline(always)]
+    fn visit(&mut self, simd: S, leaf: usize, _: [f32; 3], _: f32) -> f32 {
+        simd.apart(OfLeaf { search: self, leaf });
+        // As far as what the kernel is off by leaves of interest.
+        let (distance, diagonal) = (self.best.foot.squared.sqrt(), self.surface.diagonal());
+        let limit = distance + 4.0 * RELATIVE_ERROR * (distance + diagonal);
+        self.tree.scaled(limit) * (1.0 + 2.0 * f32::EPSILON)
+    }
+}
+
+struct OfLeaf<'a, 'b> {
+    search: &'a mut SearchCompact<'b>,
+    leaf: usize,
+}
+
+impl Kernel for OfLeaf<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let OfLeaf { search, leaf } = self;
+        let members = search.surface.members(leaf);
+        match members.len() {
+            1..=4 => search.best.offer_all::<4>(&search.surface.feet(members, search.p), members),
+            _ => search.best.offer_all::<WIDTH>(&search.surface.feet(members, search.p), members),
+        }
     }
 }
 
@@ -286,6 +335,9 @@ impl Surface {
         self.at(
             p,
             match &self.tree {
+                Some(tree) if self.compact.is_some() => {
+                    dispatch(SearchCompact { surface: self, tree, p, best: Best::NONE })
+                }
                 Some(tree) => dispatch(Search { surface: self, tree, p }),
                 None => dispatch(OfAll { surface: self, p }),
             },
@@ -299,7 +351,7 @@ impl Surface {
 
     /// The nearest triangle to each of many finite points, a few of them side by side.
     pub(crate) fn for_each_nearest(&self, points: &[Vec3], mut take: impl FnMut(usize, &Nearest)) {
-        let Some(tree) = &self.tree else {
+        let Some(tree) = self.tree.as_ref().filter(|_| self.compact.is_none()) else {
             return points.iter().enumerate().for_each(|(k, p)| take(k, &self.nearest(*p)));
         };
         for (g, points) in points.chunks(GROUP).enumerate() {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The same triangles over vertices that have moved: what hangs together stays shared, what lies where is made anew.
 
-use super::{Kept, Leaf, NO_TRIANGLE, PIECE, Sides, Sign, Surface};
+use super::{Kept, PIECE, Sign, Surface};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
 use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
-use crate::geometry::RefitCheck;
+use crate::geometry::{Accelerator, RefitCheck};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::{self, HalfEdges, LARGEST_COORDINATE, SMALLEST_DIAGONAL, Triangle, filled};
 use crate::parallel::Run;
@@ -28,8 +28,8 @@ impl Surface {
         let bounds = |t: u32| Aabb::of(triangles[t as usize].corners(&vertices));
         let (tree, order) = match &self.tree {
             Some(tree) => {
-                let of_leaf = |leaf: &Leaf| leaf.members().map(bounds).fold(Aabb::EMPTY, Aabb::hull);
-                (tree.refit(self.leaves.len(), &|k| of_leaf(&self.leaves[k]), silent)?, self.order()?)
+                let of_leaf = |k: usize| self.members(k).iter().map(|&t| bounds(t)).fold(Aabb::EMPTY, Aabb::hull);
+                (tree.refit(self.leaf_count(), &of_leaf, silent)?, self.order()?)
             }
             None => Tree::build(triangles.len(), &|t| bounds(t as u32), LEAF_SIZE, silent)?,
         };
@@ -43,10 +43,12 @@ impl Surface {
             }
             _ => {}
         }
-        surface.sides = Sides::new(&surface)?;
-        if self.tree.is_none() {
-            (surface.tree, surface.leaves) = (None, Vec::new());
-        }
+        let accelerator = match (&self.tree, &self.compact) {
+            (None, _) => Accelerator::None,
+            (_, Some(_)) => Accelerator::Compact,
+            _ => Accelerator::Auto,
+        };
+        let surface = surface.laid_out(accelerator, order)?;
         run.tell(1.0)?;
         Ok(surface)
     }
@@ -113,18 +115,12 @@ impl Surface {
     /// The triangles, leaf after leaf.
     fn order(&self) -> Result<Leaves> {
         let mut order = try_with_capacity("triangles", self.triangles.len())?;
-        let mut start = try_with_capacity("leaves", self.leaves.len() + 1)?;
+        let mut start = try_with_capacity("leaves", self.leaf_count() + 1)?;
         start.push(0);
-        for leaf in &self.leaves {
-            order.extend(leaf.members());
+        for leaf in 0..self.leaf_count() {
+            order.extend(self.members(leaf));
             start.push(order.len() as u32);
         }
         Ok(Leaves { order, start })
-    }
-}
-
-impl Leaf {
-    fn members(&self) -> impl Iterator<Item = u32> {
-        self.triangle.into_iter().filter(|t| *t != NO_TRIANGLE)
     }
 }

@@ -96,7 +96,7 @@ impl Surface {
             if block.far < f64::INFINITY && self.is_far(block, &cube, &mut columns, out)? {
                 continue;
             }
-            let Some(tree) = &self.tree else {
+            let Some(tree) = self.tree.as_ref().filter(|_| self.compact.is_none()) else {
                 self.one_by_one(block, &cube, &mut columns, out)?;
                 continue;
             };
