@@ -1948,7 +1948,8 @@ emb_status emb_geom_closest(const emb_geom *g,
 // `band` is ignored in the other modes. Arrays of integers take signs only.
 // Cost: on a mesh, signs are a scan of its triangles over the lattice, and a narrow band costs little more: a nanosecond
 // or so a point and some tens of them a triangle near the lattice. What lies on the surface to within rounding is
-// asked point by point.
+// asked point by point. Of other geometries without user functions, signs are asked for near the surface alone, as
+// emb_geom_classify_box tells.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_UNSUPPORTED (EXACT or BAND of an
 // EMB_SIGN_ONLY geometry), EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 emb_status emb_geom_fill(const emb_geom *g,
@@ -1963,7 +1964,8 @@ emb_status emb_geom_fill(const emb_geom *g,
 // (value <= 0) and the other outside; the crossing is then the zero end itself where one is zero, and of several the one
 // nearest the outside end. The bits are those of emb_geom_intercepts on the same ends, in either order.
 // Cost: on a mesh, a scan of its triangles over the lattice and some hundred nanoseconds a crossing; edges that the
-// surface does not meet cost what writing them does, which EMB_ELSEWHERE_LEAVE saves.
+// surface does not meet cost what writing them does, which EMB_ELSEWHERE_LEAVE saves. Of other geometries without
+// user functions, the edges near the surface alone are asked for.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_CALLBACK, EMB_ERROR_CANCELLED.
 emb_status emb_geom_crossings(const emb_geom *g,
                               const emb_lattice *lattice,
