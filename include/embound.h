@@ -234,13 +234,14 @@
 // Boundary loops are swept beyond the box open_lo, open_hi. Not in this version: EMB_ERROR_UNSUPPORTED.
 #define EMB_OPEN_SWEEP 2
 
-// A bounding volume hierarchy.
+// A bounding volume hierarchy of some 200 bytes a triangle.
 #define EMB_ACCELERATOR_AUTO 0
 
 // None: every triangle is looked at. Slow; the reference for every other choice, with the same bits.
 #define EMB_ACCELERATOR_NONE 1
 
-// A hierarchy of small memory. Not in this version: EMB_ERROR_UNSUPPORTED.
+// A hierarchy of about half the memory of AUTO's, some 100 bytes a triangle, which answers two to six times as slowly,
+// with the same bits. Lattices are filled point by point where they are not scanned.
 #define EMB_ACCELERATOR_COMPACT 2
 
 // Where the surface meets itself is looked for anew, and there crossings decide the sign: right whatever the motion was.

@@ -11,12 +11,13 @@ use embound::parallel::Run;
 use embound::query::{self, Intercept};
 use std::sync::Mutex;
 
-fn pair(soup: &Soup, sign: SignMethod) -> (Geometry, Geometry) {
+/// With each layout of the hierarchy, and without one.
+fn layouts(soup: &Soup, sign: SignMethod) -> ([Geometry; 2], Geometry) {
     let build = |accelerator| {
         let options = SdfOptions { accelerator, sign, ..SdfOptions::default() };
         Geometry::from_mesh(&soup.mesh(), &options, &Run::SERIAL).unwrap()
     };
-    (build(Accelerator::Auto), build(Accelerator::None))
+    ([build(Accelerator::Auto), build(Accelerator::Compact)], build(Accelerator::None))
 }
 
 fn closed_bodies() -> Vec<Soup> {
@@ -36,14 +37,17 @@ fn closed_bodies() -> Vec<Soup> {
 }
 
 fn assert_same(soup: &Soup, sign: SignMethod, points: &[[f64; 3]]) {
-    let (fast, slow) = pair(soup, sign);
+    let (fast, slow) = layouts(soup, sign);
     for p in points {
         let p = Vec3::from_array(*p);
-        let (a, b) = (fast.closest(p), slow.closest(p));
-        assert_eq!(a.value.to_bits(), b.value.to_bits(), "{p}: {} {}", a.value, b.value);
-        assert_eq!((a.primitive, a.feature), (b.primitive, b.feature), "{p}");
-        assert_eq!(a.point.to_array().map(f64::to_bits), b.point.to_array().map(f64::to_bits), "{p}");
-        assert_eq!(fast.value(p).to_bits(), a.value.to_bits(), "value and closest differ at {p}");
+        let b = slow.closest(p);
+        for fast in &fast {
+            let a = fast.closest(p);
+            assert_eq!(a.value.to_bits(), b.value.to_bits(), "{p}: {} {}", a.value, b.value);
+            assert_eq!((a.primitive, a.feature), (b.primitive, b.feature), "{p}");
+            assert_eq!(a.point.to_array().map(f64::to_bits), b.point.to_array().map(f64::to_bits), "{p}");
+            assert_eq!(fast.value(p).to_bits(), a.value.to_bits(), "value and closest differ at {p}");
+        }
     }
 }
 
@@ -96,7 +100,7 @@ fn deliberate_ties_go_to_the_lowest_face() {
     }
     assert_same(&cube, SignMethod::Auto, &points);
     assert_same(&cube.duplicated(), SignMethod::None, &points);
-    let (fast, _) = pair(&cube.duplicated(), SignMethod::None);
+    let ([fast, _], _) = layouts(&cube.duplicated(), SignMethod::None);
     let original = cube.triangles.len() as i64;
     assert!(points.iter().all(|p| fast.closest(Vec3::from_array(*p)).primitive < original));
 }
@@ -107,7 +111,7 @@ fn far_away_points_are_answered() {
     for far in [1e3, 1e10, 1e100, 1e153, 1e160, 1e300] {
         let p = [far, 0.25, 0.5];
         assert_same(&cube, SignMethod::Auto, &[p]);
-        let value = pair(&cube, SignMethod::Auto).0.value(Vec3::from_array(p));
+        let value = layouts(&cube, SignMethod::Auto).0[0].value(Vec3::from_array(p));
         assert!((value / far - 1.0).abs() < 2e-3, "{value} at {far}");
     }
 }
@@ -116,20 +120,66 @@ fn far_away_points_are_answered() {
 fn crossings_and_classes_do_not_depend_on_the_hierarchy() {
     let mut random = Random(14);
     for soup in closed_bodies() {
-        let (fast, slow) = pair(&soup, SignMethod::Auto);
+        let (fast, slow) = layouts(&soup, SignMethod::Auto);
         let (a, b) = (
             points::uniform(&soup, 1.2, 150, &mut random).concat(),
             points::near(&soup, 0.05, 150, &mut random).concat(),
         );
-        let (fast_hits, slow_hits) = (intercepts(&fast, &a, &b), intercepts(&slow, &a, &b));
-        for (f, s) in fast_hits.iter().zip(&slow_hits) {
-            assert_eq!(f.t.to_bits(), s.t.to_bits());
-            assert_eq!((f.count, f.status, f.primitive), (s.count, s.status, s.primitive));
+        let slow_hits = intercepts(&slow, &a, &b);
+        for fast in &fast {
+            for (f, s) in intercepts(fast, &a, &b).iter().zip(&slow_hits) {
+                assert_eq!(f.t.to_bits(), s.t.to_bits());
+                assert_eq!((f.count, f.status, f.primitive), (s.count, s.status, s.primitive));
+            }
+            for p in a.chunks(3) {
+                let p = Vec3::from_slice(p);
+                let b = Aabb::new(p - Vec3::splat(0.05), p + Vec3::splat(0.05));
+                assert_eq!(query::classify_box(fast, b), query::classify_box(&slow, b));
+            }
         }
-        for p in a.chunks(3) {
-            let p = Vec3::from_slice(p);
-            let b = Aabb::new(p - Vec3::splat(0.05), p + Vec3::splat(0.05));
-            assert_eq!(query::classify_box(&fast, b), query::classify_box(&slow, b));
+    }
+}
+
+#[test]
+fn the_compact_layout_is_half_of_the_fast_one() {
+    let ([fast, compact], _) = layouts(&bodies::icosphere(5), SignMethod::Auto);
+    let [fast, compact] = [fast, compact].map(|g| {
+        let properties = g.properties();
+        properties.bytes as f64 / properties.primitives as f64
+    });
+    assert!(fast < 250.0 && compact < 100.0, "{fast} and {compact} bytes a triangle");
+}
+
+#[test]
+fn many_points_of_a_large_mesh_are_answered_in_the_order_they_came() {
+    let mut random = Random(15);
+    let ([fast, compact], _) = layouts(&bodies::icosphere(5), SignMethod::Auto);
+    for count in [255, 256, 257, 4096, 4097, 20_000] {
+        let mut points: Vec<[f64; 3]> = (0..count).map(|_| random.point([-2.0; 3], [2.0; 3])).collect();
+        points[count / 2] = [f64::NAN, 0.0, 0.0];
+        points[count / 3] = [0.0, f64::INFINITY, 0.0];
+        let flat = points.concat();
+        let source = query::Strided::new(count, [&flat[..], &flat[1..], &flat[2..]], 3).unwrap();
+        let pool = embound::parallel::Pool::new(3, || ()).unwrap();
+        for run in [Run::SERIAL, Run { pool: Some(&pool), progress: None }] {
+            for g in [&fast, &compact] {
+                let values = Mutex::new(vec![0.0; count]);
+                let emit = |first: usize, found: &[f64]| {
+                    values.lock().unwrap()[first..first + found.len()].copy_from_slice(found);
+                };
+                query::values(g, &source, &run, &emit).unwrap();
+                let nearest = Mutex::new(vec![-2; count]);
+                let emit = |first: usize, found: &[query::Closest]| {
+                    let mut nearest = nearest.lock().unwrap();
+                    found.iter().zip(&mut nearest[first..]).for_each(|(c, slot)| *slot = c.primitive);
+                };
+                query::closest(g, &source, f64::INFINITY, &run, &emit).unwrap();
+                let (values, nearest) = (values.into_inner().unwrap(), nearest.into_inner().unwrap());
+                for (p, (value, primitive)) in points.iter().zip(values.iter().zip(&nearest)).step_by(7) {
+                    let closest = fast.closest(Vec3::from_array(*p));
+                    assert_eq!((value.to_bits(), *primitive), (closest.value.to_bits(), closest.primitive), "{p:?}");
+                }
+            }
         }
     }
 }

@@ -98,7 +98,7 @@ fn what_moved_is_what_is_made_anew_to_the_bit() {
         for kind in 0..8 {
             let new = moved(soup, kind, &mut random);
             for sign in [SignMethod::Auto, SignMethod::Ray, SignMethod::None] {
-                let accelerator = if kind % 3 == 1 { Accelerator::None } else { Accelerator::Auto };
+                let accelerator = [Accelerator::Auto, Accelerator::None, Accelerator::Compact][kind % 3];
                 let options = SdfOptions { accelerator, ..with_sign(sign) };
                 let before = geometry(soup, &options).expect("a geometry");
                 let anew = geometry(&new, &options).expect("a geometry");

@@ -56,8 +56,11 @@ fn trouble_changes_no_bit() {
     let mut asked = 0;
     for (k, body) in all.iter().enumerate() {
         for sign in [SignMethod::Auto, SignMethod::Ray, SignMethod::None] {
-            let both = [Accelerator::Auto, Accelerator::None].map(|accelerator| geometry(body, sign, accelerator));
-            let [Some(fast), Some(slow)] = both else { continue };
+            let all = [Accelerator::Auto, Accelerator::Compact, Accelerator::None];
+            let [Some(fast), Some(compact), Some(slow)] = all.map(|accelerator| geometry(body, sign, accelerator))
+            else {
+                continue;
+            };
             let (lo, hi) = body.bounds();
             let size = (0..3).map(|k| hi[k] - lo[k]).fold(0.0, f64::max);
             let mut points = points::all_kinds(body, 300, &mut random);
@@ -76,10 +79,13 @@ fn trouble_changes_no_bit() {
             }));
             points.extend([[1e300, 0.0, 0.0], [-1e300, 1e300, 1e-300], [0.0; 3], [f64::MAX, 0.0, 0.0]]);
             for p in points.into_iter().map(Vec3::from_array) {
-                let (a, b) = (fast.closest(p), slow.closest(p));
-                assert_eq!(a.value.to_bits(), b.value.to_bits(), "body {k} {sign:?} {p}: {} {}", a.value, b.value);
-                assert_eq!((a.primitive, a.feature), (b.primitive, b.feature), "body {k} {sign:?} {p}");
-                assert_eq!(fast.value(p).to_bits(), a.value.to_bits());
+                let b = slow.closest(p);
+                for fast in [&fast, &compact] {
+                    let a = fast.closest(p);
+                    assert_eq!(a.value.to_bits(), b.value.to_bits(), "body {k} {sign:?} {p}: {} {}", a.value, b.value);
+                    assert_eq!((a.primitive, a.feature), (b.primitive, b.feature), "body {k} {sign:?} {p}");
+                    assert_eq!(fast.value(p).to_bits(), a.value.to_bits());
+                }
                 asked += 1;
             }
         }

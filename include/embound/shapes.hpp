@@ -26,7 +26,7 @@ enum class Open : std::int32_t {
 enum class Accelerator : std::int32_t {
     Auto = EMB_ACCELERATOR_AUTO,      ///< A bounding volume hierarchy.
     None = EMB_ACCELERATOR_NONE,      ///< Every triangle is looked at: slow, the same bits.
-    Compact = EMB_ACCELERATOR_COMPACT ///< A hierarchy of small memory. Not in this version.
+    Compact = EMB_ACCELERATOR_COMPACT ///< A hierarchy of half the memory: slower, the same bits.
 };
 
 /// How a mesh becomes a geometry.

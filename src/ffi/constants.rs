@@ -143,11 +143,12 @@ pub const EMB_OPEN_CAP: i32 = 1;
 /// Boundary loops are swept beyond the box open_lo, open_hi. Not in this version: EMB_ERROR_UNSUPPORTED.
 pub const EMB_OPEN_SWEEP: i32 = 2;
 
-/// A bounding volume hierarchy.
+/// A bounding volume hierarchy of some 200 bytes a triangle.
 pub const EMB_ACCELERATOR_AUTO: i32 = 0;
 /// None: every triangle is looked at. Slow; the reference for every other choice, with the same bits.
 pub const EMB_ACCELERATOR_NONE: i32 = 1;
-/// A hierarchy of small memory. Not in this version: EMB_ERROR_UNSUPPORTED.
+/// A hierarchy of about half the memory of AUTO's, some 100 bytes a triangle, which answers two to six times as slowly,
+/// with the same bits. Lattices are filled point by point where they are not scanned.
 pub const EMB_ACCELERATOR_COMPACT: i32 = 2;
 
 /// Where the surface meets itself is looked for anew, and there crossings decide the sign: right whatever the motion was.

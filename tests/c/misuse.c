@@ -246,8 +246,6 @@ static const misuse table[] = {
     INTEGER(from_mesh, sdf_options_value.value.sign, EMB_SIGN_AXIS, EMB_ERROR_UNSUPPORTED, "options.sign"),
     INTEGER(from_mesh, sdf_options_value.value.open, EMB_OPEN_CAP, EMB_ERROR_UNSUPPORTED, "options.open"),
     INTEGER(from_mesh, sdf_options_value.value.open, EMB_OPEN_SWEEP, EMB_ERROR_UNSUPPORTED, "options.open"),
-    INTEGER(from_mesh, sdf_options_value.value.accelerator, EMB_ACCELERATOR_COMPACT, EMB_ERROR_UNSUPPORTED,
-            "options.accelerator"),
     NULLED(geom_bounds, g, "g"),
     NULLED(geom_bounds, out_lo, "out_lo"),
     NULLED(geom_bounds, out_hi, "out_hi"),

@@ -2,7 +2,7 @@
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
 use super::normals::normals;
-use super::{ALONE, Corners, Doubts, Kept, Leaf, NO_TRIANGLE, PIECE, Sides, Sign, Surface};
+use super::{ALONE, Doubts, Kept, Leaf, NO_TRIANGLE, Origin, PIECE, Sides, Sign, Surface, Triangles};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
 use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
@@ -64,7 +64,7 @@ impl Surface {
     ) -> Result<Surface> {
         let triangles = &kept.triangles;
         let corners = |t: usize| {
-            let [a, b, c] = triangles[t].vertex;
+            let [a, b, c] = triangles.vertex[t];
             [vertices[a as usize], vertices[b as usize], vertices[c as usize]]
         };
         let none = Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] };
@@ -155,7 +155,7 @@ fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
 }
 
 /// The triangles of a mesh and their neighbours. `topology` is that of the triangles.
-fn shape(mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<(Vec<Corners>, Vec<[u32; 3]>)> {
+fn shape(mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<(Triangles, Vec<[u32; 3]>)> {
     let run = &run.silent();
     let triangles = mesh.triangles();
     let mut neighbours = filled("neighbours", triangles.len(), [ALONE; 3])?;
@@ -165,14 +165,19 @@ fn shape(mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<(Vec<Corners>, 
         piece.iter_mut().zip(from as u32..).for_each(|(neighbours, t)| *neighbours = of(t));
         Ok(())
     })?;
-    let mut laid_out = try_with_capacity("triangles", triangles.len())?;
-    let mut first = 0;
-    laid_out.extend(triangles.iter().enumerate().map(|(k, t)| {
-        if triangles[first].face != t.face {
-            first = k;
-        }
-        let piece = 2 * (k - first) as u32 + u32::from(t.turned);
-        Corners { vertex: t.vertices, face: t.face, tag: mesh.tag(t.face), piece }
-    }));
+    let mut vertex = try_with_capacity("triangles", triangles.len())?;
+    vertex.extend(triangles.iter().map(|t| t.vertices));
+    let mut laid_out = Triangles { vertex, origin: Vec::new() };
+    // Nothing is kept where there is nothing to keep.
+    if triangles.iter().zip(0..).any(|(t, k)| t.face != k || t.turned || mesh.tag(t.face) != 0) {
+        laid_out.origin = try_with_capacity("triangles", triangles.len())?;
+        let mut first = 0;
+        laid_out.origin.extend(triangles.iter().enumerate().map(|(k, t)| {
+            if triangles[first].face != t.face {
+                first = k;
+            }
+            Origin { face: t.face, tag: mesh.tag(t.face), piece: 2 * (k - first) as u32 + u32::from(t.turned) }
+        }));
+    }
     Ok((laid_out, neighbours))
 }

@@ -80,7 +80,7 @@ impl Surface {
             }
         }
         for t in all.filter(|&t| doubts.has(t)) {
-            for v in self.triangles[t as usize].vertex {
+            for v in self.triangles.vertex[t as usize] {
                 self.vertex_normals[v as usize] = Vec3::ZERO;
             }
         }

@@ -53,11 +53,16 @@ struct Leaf {
     triangle: [u32; WIDTH],
 }
 
-/// Corners of a triangle and the input face it belongs to.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-struct Corners {
-    vertex: [u32; 3],
+/// The corners of the triangles, and where they come from.
+struct Triangles {
+    vertex: Vec<[u32; 3]>,
+    /// Nothing where each triangle is the face of its number, as read and without a tag.
+    origin: Vec<Origin>,
+}
+
+/// The input face that a triangle belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Origin {
     face: u32,
     tag: i32,
     /// Which of the triangles that the face was cut into it is, twice; plus 1 where orientation turned the
@@ -65,9 +70,21 @@ struct Corners {
     piece: u32,
 }
 
-impl Corners {
-    fn is_turned(&self) -> bool {
-        self.piece & 1 == 1
+impl Triangles {
+    fn len(&self) -> usize {
+        self.vertex.len()
+    }
+
+    fn origin(&self, triangle: u32) -> Origin {
+        self.origin.get(triangle as usize).copied().unwrap_or(Origin { face: triangle, tag: 0, piece: 0 })
+    }
+
+    fn is_turned(&self, triangle: u32) -> bool {
+        self.origin(triangle).piece & 1 == 1
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(&self.vertex[..]) + size_of_val(&self.origin[..])
     }
 }
 
@@ -79,7 +96,7 @@ pub(crate) struct Surface {
     /// None: every triangle is looked at.
     tree: Option<Tree>,
     vertices: Vec<Vec3>,
-    triangles: Arc<Vec<Corners>>,
+    triangles: Arc<Triangles>,
     /// Unit normals of the triangles; zero where the area is.
     normals: Vec<Vec3>,
     /// The triangles across the edges 0-1, 1-2, 2-0 of each, [`ALONE`] or [`UNCLEAR`].
@@ -103,7 +120,7 @@ pub(crate) struct Surface {
 
 /// What stays when the vertices move.
 struct Kept {
-    triangles: Arc<Vec<Corners>>,
+    triangles: Arc<Triangles>,
     topology: Arc<Vec<[u32; 3]>>,
     asked: (SignMethod, Sign),
 }
@@ -175,16 +192,16 @@ impl Surface {
     }
 
     pub(crate) fn face(&self, triangle: u32) -> u32 {
-        self.triangles[triangle as usize].face
+        self.triangles.origin(triangle).face
     }
 
     /// Which of the triangles that its face was cut into a triangle is.
     pub(crate) fn piece(&self, triangle: u32) -> u32 {
-        self.triangles[triangle as usize].piece >> 1
+        self.triangles.origin(triangle).piece >> 1
     }
 
     pub(crate) fn tag(&self, triangle: u32) -> i32 {
-        self.triangles[triangle as usize].tag
+        self.triangles.origin(triangle).tag
     }
 
     pub(crate) fn bytes(&self) -> usize {
@@ -193,7 +210,7 @@ impl Surface {
             + self.compact.as_ref().map_or(0, |all| size_of_val(&all.order[..]) + size_of_val(&all.start[..]))
             + self.tree.as_ref().map_or(0, Tree::bytes)
             + size_of_val(&self.vertices[..])
-            + size_of_val(&self.triangles[..])
+            + self.triangles.bytes()
             + size_of_val(&self.normals[..])
             + size_of_val(&self.neighbours[..])
             + if Arc::ptr_eq(&self.neighbours, &self.topology) { 0 } else { size_of_val(&self.topology[..]) }
@@ -210,16 +227,17 @@ impl Surface {
         for v in &self.vertices {
             v.to_array().iter().for_each(|c| add((c + 0.0).to_bits()));
         }
-        for t in self.triangles.iter() {
-            t.vertex.iter().for_each(|&v| add(u64::from(v)));
-            add(u64::from(t.face));
-            add(t.tag as u64);
-            add(u64::from(t.piece));
+        for (vertex, t) in self.triangles.vertex.iter().zip(0..) {
+            vertex.iter().for_each(|&v| add(u64::from(v)));
+            let origin = self.triangles.origin(t);
+            add(u64::from(origin.face));
+            add(origin.tag as u64);
+            add(u64::from(origin.piece));
         }
     }
 
     fn corners(&self, triangle: u32) -> [Vec3; 3] {
-        self.triangles[triangle as usize].vertex.map(|v| self.vertices[v as usize])
+        self.triangles.vertex[triangle as usize].map(|v| self.vertices[v as usize])
     }
 
     fn normal(&self, triangle: u32) -> Vec3 {

@@ -381,7 +381,7 @@ impl Surface {
         let (mut corner, mut normal) = ([none; 3], none);
         for k in 0..N {
             let t = triangles[if k < triangles.len() { k } else { 0 }] as usize;
-            for (i, &v) in self.triangles[t].vertex.iter().enumerate() {
+            for (i, &v) in self.triangles.vertex[t].iter().enumerate() {
                 let at = self.vertices[v as usize];
                 (corner[i].0[0].0[k], corner[i].0[1].0[k], corner[i].0[2].0[k]) = (at.x, at.y, at.z);
             }
@@ -408,7 +408,7 @@ impl Surface {
     /// Feature and barycentric coordinates in the order of the input face's corners.
     pub(crate) fn as_input(&self, nearest: &Nearest) -> (usize, Vec3) {
         let b = self.prepared(nearest.triangle).barycentric(nearest.feature, nearest.along, nearest.point);
-        if !self.triangles[nearest.triangle as usize].is_turned() {
+        if !self.triangles.is_turned(nearest.triangle) {
             return (nearest.feature, b);
         }
         ([0, 3, 2, 1, 4, 6, 5][nearest.feature], Vec3::new(b.x, b.z, b.y))

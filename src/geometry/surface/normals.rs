@@ -77,7 +77,7 @@ impl Surface {
         let mut edges = HashSet::new();
         for t in 0..self.triangles.len() {
             if self.normal(t as u32) == Vec3::ZERO {
-                let v = self.triangles[t].vertex;
+                let v = self.triangles.vertex[t];
                 for k in 0..3 {
                     self.vertex_normals[v[k] as usize] = Vec3::ZERO;
                     edges.insert(undirected(v[k], v[(k + 1) % 3]));
@@ -88,9 +88,9 @@ impl Surface {
             return Ok(());
         }
         let triangles = self.triangles.clone();
-        for (t, neighbours) in triangles.iter().zip(self.own_neighbours()?) {
+        for (t, neighbours) in triangles.vertex.iter().zip(self.own_neighbours()?) {
             for (k, neighbour) in neighbours.iter_mut().enumerate() {
-                if edges.contains(&undirected(t.vertex[k], t.vertex[(k + 1) % 3])) {
+                if edges.contains(&undirected(t[k], t[(k + 1) % 3])) {
                     *neighbour = UNCLEAR;
                 }
             }

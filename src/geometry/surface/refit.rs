@@ -18,10 +18,10 @@ impl Surface {
         let silent = &run.silent();
         let vertices = self.moved(xyz)?;
         let mut triangles = try_with_capacity("triangles", self.triangles.len())?;
-        triangles.extend(self.triangles.iter().map(|t| Triangle {
-            vertices: t.vertex,
-            face: t.face,
-            turned: t.is_turned(),
+        triangles.extend(self.triangles.vertex.iter().zip(0..).map(|(&vertices, t)| Triangle {
+            vertices,
+            face: self.face(t),
+            turned: self.triangles.is_turned(t),
         }));
         self.keeps_its_side(&vertices, &triangles, silent)?;
         let topology = HalfEdges::of_neighbours(vertices.len(), &triangles, &self.topology)?;

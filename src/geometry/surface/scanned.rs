@@ -17,7 +17,7 @@ impl Triangles for Surface {
 
     #[inline(always)]
     fn corners(&self, triangle: u32) -> [Vec3; 3] {
-        let [a, b, c] = self.triangles[triangle as usize].vertex;
+        let [a, b, c] = self.triangles.vertex[triangle as usize];
         [self.vertices[a as usize], self.vertices[b as usize], self.vertices[c as usize]]
     }
 

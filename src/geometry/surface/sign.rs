@@ -73,7 +73,7 @@ impl Surface {
                 ALONE => self.normals[t],
                 other => self.normals[t] + self.normals[other as usize],
             },
-            k => self.vertex_normals[self.triangles[t].vertex[k - 4] as usize],
+            k => self.vertex_normals[self.triangles.vertex[t][k - 4] as usize],
         }
     }
 
