@@ -30,8 +30,7 @@ pub fn closest(
     let run = suited(g, run);
     if g.gains_by_order() && points.count() > CHUNK {
         let answer = |points: &[_], answers: &mut [Closest]| g.closest_many(points, answers);
-        let none = Closest::only(0.0);
-        return at_sorted_points(&run, g, points, RUN, none, &answer, &|c| c.value, &|first, answers| {
+        return at_sorted_points::<Closest>(&run, g, points, RUN, &answer, &|first, answers| {
             cut(answers);
             emit(first, answers);
         });

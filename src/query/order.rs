@@ -4,7 +4,7 @@
 
 use super::{PointSource, check};
 use crate::error::{Result, try_with_capacity};
-use crate::geometry::Geometry;
+use crate::geometry::{Closest, Geometry};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::filled;
 use crate::parallel::Run;
@@ -12,16 +12,40 @@ use crate::parallel::Run;
 /// Bits of a code an axis.
 const BITS: u32 = 10;
 
-/// [`super::at_points`] in runs of up to `most` points, which `answer` gets in an order of their own; `check` and `emit`
-/// get what it answers in that of the source.
-pub(super) fn at_sorted_points<T: Copy + Send + Sync>(
+/// What is said of a point.
+pub(super) trait Answer: Copy + Send + Sync {
+    fn of_value(value: f64) -> Self;
+    fn value(&self) -> f64;
+}
+
+impl Answer for f64 {
+    fn of_value(value: f64) -> f64 {
+        value
+    }
+
+    fn value(&self) -> f64 {
+        *self
+    }
+}
+
+impl Answer for Closest {
+    fn of_value(value: f64) -> Closest {
+        Closest::only(value)
+    }
+
+    fn value(&self) -> f64 {
+        self.value
+    }
+}
+
+/// [`super::at_points`] in runs of up to `most` points, which `answer` gets in an order of their own; `emit` gets
+/// what it answers in that of the source.
+pub(super) fn at_sorted_points<T: Answer>(
     run: &Run,
     g: &Geometry,
     points: &dyn PointSource,
     most: usize,
-    none: T,
     answer: &(dyn Fn(&[Vec3], &mut [T]) + Sync),
-    value: &(dyn Fn(&T) -> f64 + Sync),
     emit: &(dyn Fn(usize, &mut [T]) + Sync),
 ) -> Result<()> {
     let count = points.count();
@@ -32,12 +56,12 @@ pub(super) fn at_sorted_points<T: Copy + Send + Sync>(
         let order = order(&all)?;
         let mut sorted = try_with_capacity("points", all.len())?;
         sorted.extend(order.iter().map(|&k| all[k as u32 as usize]));
-        let mut answers = filled("answers", all.len(), none)?;
+        let mut answers = filled("answers", all.len(), T::of_value(0.0))?;
         answer(&sorted, &mut answers);
-        let mut placed = filled("answers", all.len(), none)?;
+        let mut placed = filled("answers", all.len(), T::of_value(0.0))?;
         order.iter().zip(&answers).for_each(|(&k, answer)| placed[k as u32 as usize] = *answer);
         for (answer, p) in placed.iter().zip(&all) {
-            check(g, value(answer), *p)?;
+            check(g, answer.value(), *p)?;
         }
         emit(first, &mut placed);
         Ok(())

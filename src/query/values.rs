@@ -15,7 +15,7 @@ pub fn values(g: &Geometry, points: &dyn PointSource, run: &Run, emit: &(dyn Fn(
     let run = suited(g, run);
     if g.gains_by_order() && points.count() > CHUNK {
         let answer = |points: &[_], values: &mut [f64]| g.values(points, values);
-        return at_sorted_points(&run, g, points, RUN, 0.0, &answer, &|v| *v, &|first, values| emit(first, values));
+        return at_sorted_points::<f64>(&run, g, points, RUN, &answer, &|first, values| emit(first, values));
     }
     at_points(&run, points, &|first, points| {
         let mut values = [0.0; CHUNK];
