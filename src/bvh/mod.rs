@@ -10,7 +10,7 @@ mod overlap;
 mod pairs;
 mod witness;
 
-pub(crate) use nearest::{Around, GROUP, LeafDistance, Plain, Signed, nearest, nearest_for_group};
+pub(crate) use nearest::{Along, Around, GROUP, LeafDistance, nearest, nearest_for_group};
 pub(crate) use pairs::{ALONE, Pairs, Scratch};
 pub(crate) use witness::{Corners, Eight, LeafList, WITNESSES};
 

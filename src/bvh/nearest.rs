@@ -42,13 +42,14 @@ pub(crate) trait Way<S: Simd> {
     fn keys(simd: S, boxes: &Self::Boxes, at: [f32; 3]) -> <S::Float as Float8<S>>::Keys;
 }
 
-/// The boxes along the axes; those around a point are at minus the distance to their nearest face.
-pub(crate) struct Signed;
+/// The boxes along the axes; those around a point are at distance zero, or, where `SIGNED`, at minus the distance to
+/// their nearest face.
+pub(crate) struct Along<const SIGNED: bool>;
 
 /// The oriented boxes; those around a point are at distance zero. Only after [`Tree::fit`].
 pub(crate) struct Around;
 
-impl<S: Simd> Way<S> for Signed {
+impl<S: Simd, const SIGNED: bool> Way<S> for Along<SIGNED> {
     type Boxes = Node;
 
     #[inline(always)]
@@ -67,36 +68,13 @@ impl<S: Simd> Way<S> for Signed {
         let [u, v, w] = [outside(simd, node, at, 0), outside(simd, node, at, 1), outside(simd, node, at, 2)];
         let (x, y, z) = (u.max(zero), v.max(zero), w.max(zero));
         let squares = x.mul(x).add(y.mul(y)).add(z.mul(z));
+        if !SIGNED {
+            return squares.keys(&node.child);
+        }
         // Not positive: minus its square, as bits in order, where it is the deepest of all.
         let deepest = zero.sub(u.max(v).max(w).max(S::Float::splat(simd, -f32::MAX)));
         let inside = deepest.max(zero);
         squares.signed_keys(inside.mul(inside), &node.child)
-    }
-}
-
-/// The boxes along the axes; those around a point are at distance zero.
-pub(crate) struct Plain;
-
-impl<S: Simd> Way<S> for Plain {
-    type Boxes = Node;
-
-    #[inline(always)]
-    fn boxes(tree: &Tree) -> &[Node] {
-        &tree.nodes
-    }
-
-    #[inline(always)]
-    fn child(node: &Node) -> &[u32; WIDTH] {
-        &node.child
-    }
-
-    #[inline(always)]
-    fn keys(simd: S, node: &Node, at: [f32; 3]) -> <S::Float as Float8<S>>::Keys {
-        let zero = S::Float::splat(simd, 0.0);
-        let x = outside(simd, node, at, 0).max(zero);
-        let y = outside(simd, node, at, 1).max(zero);
-        let z = outside(simd, node, at, 2).max(zero);
-        x.mul(x).add(y.mul(y)).add(z.mul(z)).keys(&node.child)
     }
 }
 

@@ -181,7 +181,7 @@ impl Kernel for SphereGroup<'_> {
             let start = hierarchy.bound(sink.limit(), extent);
             (tree.scaled(start), SphereSearch { tree, blocks, hierarchy, p, extent, sink })
         });
-        bvh::nearest_for_group::<S, bvh::Signed, _>(simd, tree, points, |leaf| prefetch(&blocks[leaf]), searches);
+        bvh::nearest_for_group::<S, bvh::Along<true>, _>(simd, tree, points, |leaf| prefetch(&blocks[leaf]), searches);
     }
 }
 
@@ -201,7 +201,7 @@ impl<K: Sink> Kernel for SphereSearch<'_, K> {
     fn run<S: Simd>(mut self, simd: S) {
         let (tree, p) = (self.tree, self.p);
         let start = tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent));
-        bvh::nearest::<S, bvh::Signed>(simd, tree, p, start, &mut self);
+        bvh::nearest::<S, bvh::Along<true>>(simd, tree, p, start, &mut self);
     }
 }
 
@@ -239,7 +239,7 @@ impl<K: Sink> Kernel for Others<'_, K> {
     fn run<S: Simd>(mut self, simd: S) {
         let (tree, p) = (self.tree, self.p);
         let start = tree.scaled(self.hierarchy.bound(self.sink.limit(), self.extent));
-        bvh::nearest::<S, bvh::Signed>(simd, tree, p, start, &mut self);
+        bvh::nearest::<S, bvh::Along<true>>(simd, tree, p, start, &mut self);
     }
 }
 

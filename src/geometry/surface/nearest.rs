@@ -96,7 +96,7 @@ impl Kernel for SearchCompact<'_> {
     #[inline(always)]
     fn run<S: Simd>(mut self, simd: S) -> Best {
         let (tree, p) = (self.tree, self.p);
-        bvh::nearest::<S, bvh::Plain>(simd, tree, p, f32::INFINITY, &mut self);
+        bvh::nearest::<S, bvh::Along<false>>(simd, tree, p, f32::INFINITY, &mut self);
         self.best
     }
 }
