@@ -249,7 +249,8 @@
 
 // The caller knows that the motion does not bring the surface to meet itself where it did not before (a flag that waves, a
 // membrane that bulges), and no body into another of the same mesh: the sign is decided as it was. Where that is not so,
-// signs near there may be wrong.
+// signs are wrong wherever such a place is the nearest, however far away, and values, fills, crossings and classes may
+// disagree there: nothing that is said of signs elsewhere holds.
 #define EMB_REFIT_TRUST 1
 
 // The value is the signed distance to the surface. Of a mesh that passes through itself, all of its faces count: inside,

@@ -68,7 +68,8 @@ pub enum RefitCheck {
     /// Where the surface meets itself now.
     #[default]
     Check = 0,
-    /// Nothing: it is known to meet itself nowhere but where it did. If it does, signs near there are wrong.
+    /// Nothing: it is known to meet itself nowhere but where it did. If it does, signs are wrong wherever such a place is
+    /// the nearest, and questions may disagree there.
     Trust = 1,
 }
 
