@@ -4,6 +4,7 @@
 //! eight primitives, or of one, for the caller to lay out side by side.
 
 mod build;
+mod far;
 mod nearest;
 mod oriented;
 mod overlap;
@@ -78,6 +79,11 @@ impl Tree {
     #[inline(always)]
     pub(crate) fn scaled(&self, distance: f64) -> f32 {
         (distance * self.scale) as f32
+    }
+
+    /// What [`Tree::place`] scales by.
+    pub(crate) fn scale(&self) -> f64 {
+        self.scale
     }
 
     /// Memory of the arrays.

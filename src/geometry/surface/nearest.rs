@@ -105,10 +105,26 @@ impl<S: Simd> LeafDistance<S> for SearchCompact<'_> {
     #[inline(always)]
     fn visit(&mut self, simd: S, leaf: usize, _: [f32; 3], _: f32) -> f32 {
         simd.apart(OfLeaf { search: self, leaf });
-        // As far as what the kernel is off by leaves of interest.
+        self.tree.scaled(self.limit()) * (1.0 + 2.0 * f32::EPSILON)
+    }
+}
+
+impl SearchCompact<'_> {
+    /// As far as what the kernel is off by leaves of interest.
+    #[inline(always)]
+    fn limit(&self) -> f64 {
         let (distance, diagonal) = (self.best.foot.squared.sqrt(), self.surface.diagonal());
-        let limit = distance + 4.0 * RELATIVE_ERROR * (distance + diagonal);
-        self.tree.scaled(limit) * (1.0 + 2.0 * f32::EPSILON)
+        distance + 4.0 * RELATIVE_ERROR * (distance + diagonal)
+    }
+
+    /// The same from far away; of all triangles where there is no memory for it.
+    fn from_far(mut self) -> Best {
+        let (tree, p) = (self.tree, self.p);
+        let done = tree.nearest_from_far(p, |leaf| {
+            dispatch(OfLeaf { search: &mut self, leaf });
+            self.limit() * tree.scale()
+        });
+        if done.is_ok() { self.best } else { dispatch(OfAll { surface: self.surface, p }) }
     }
 }
 
@@ -335,6 +351,7 @@ impl Surface {
         self.at(
             p,
             match &self.tree {
+                Some(tree) if tree.is_far(p) => SearchCompact { surface: self, tree, p, best: Best::NONE }.from_far(),
                 Some(tree) if self.compact.is_some() => {
                     dispatch(SearchCompact { surface: self, tree, p, best: Best::NONE })
                 }
@@ -355,6 +372,10 @@ impl Surface {
             return points.iter().enumerate().for_each(|(k, p)| take(k, &self.nearest(*p)));
         };
         for (g, points) in points.chunks(GROUP).enumerate() {
+            if points.iter().any(|p| tree.is_far(*p)) {
+                points.iter().enumerate().for_each(|(k, p)| take(g * GROUP + k, &self.nearest(*p)));
+                continue;
+            }
             let best = dispatch(SearchGroup { surface: self, tree, points });
             for (k, (p, best)) in points.iter().zip(best).enumerate() {
                 take(g * GROUP + k, &self.at(*p, best));
