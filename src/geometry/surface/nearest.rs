@@ -118,7 +118,7 @@ impl SearchCompact<'_> {
     }
 
     /// The same from far away; of all triangles where there is no memory for it.
-    fn from_far(mut self) -> Best {
+    fn far_away(mut self) -> Best {
         let (tree, p) = (self.tree, self.p);
         let done = tree.nearest_from_far(p, |leaf| {
             dispatch(OfLeaf { search: &mut self, leaf });
@@ -351,7 +351,7 @@ impl Surface {
         self.at(
             p,
             match &self.tree {
-                Some(tree) if tree.is_far(p) => SearchCompact { surface: self, tree, p, best: Best::NONE }.from_far(),
+                Some(tree) if tree.is_far(p) => SearchCompact { surface: self, tree, p, best: Best::NONE }.far_away(),
                 Some(tree) if self.compact.is_some() => {
                     dispatch(SearchCompact { surface: self, tree, p, best: Best::NONE })
                 }
