@@ -101,6 +101,13 @@ pub fn try_with_capacity<T>(what: &str, count: usize) -> Result<Vec<T>> {
     Ok(v)
 }
 
+/// `count` copies of `value`, or [`Status::Memory`].
+pub(crate) fn filled<T: Clone>(what: &str, count: usize, value: T) -> Result<Vec<T>> {
+    let mut v = try_with_capacity(what, count)?;
+    v.resize(count, value);
+    Ok(v)
+}
+
 /// A copy, or [`Status::Memory`].
 pub(crate) fn try_copy<T: Copy>(what: &str, values: &[T]) -> Result<Vec<T>> {
     let mut copy = try_with_capacity(what, values.len())?;

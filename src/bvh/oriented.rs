@@ -4,7 +4,7 @@
 //! of the nearest.
 
 use super::{LEAF, Leaves, Tree};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::math::{Swizzles, Vec3, f32_above, unit};
 use crate::parallel::Run;
 use crate::simd::float8::{Float8, Simd};
@@ -69,8 +69,7 @@ impl Tree {
         for &t in &leaves.order {
             triangle(t).into_iter().for_each(|corner| points.push(self.place(corner)));
         }
-        let mut of_leaves = try_with_capacity("leaves", leaves.start.len() - 1)?;
-        of_leaves.resize(leaves.start.len() - 1, Fit::NONE);
+        let mut of_leaves = filled("leaves", leaves.start.len() - 1, Fit::NONE)?;
         run.for_each_piece(&mut of_leaves, PIECE, &|from, fits| {
             for (k, fit) in (from..).zip(fits) {
                 *fit = Fit::around_triangles(&points, 3 * leaves.start[k] as usize, 3 * leaves.start[k + 1] as usize);
@@ -78,8 +77,7 @@ impl Tree {
             Ok(())
         })?;
         // Children come after their parent.
-        let mut of_nodes = try_with_capacity("nodes", self.nodes.len())?;
-        of_nodes.resize(self.nodes.len(), Fit::NONE);
+        let mut of_nodes = filled("nodes", self.nodes.len(), Fit::NONE)?;
         for (k, node) in self.nodes.iter().enumerate().rev() {
             let below = node.child.iter().filter(|child| **child != u32::MAX).map(|&child| match child & LEAF {
                 0 => of_nodes[child as usize],
@@ -87,8 +85,7 @@ impl Tree {
             });
             of_nodes[k] = Fit::of_all(below);
         }
-        let mut oriented = try_with_capacity("nodes", self.nodes.len())?;
-        oriented.resize(self.nodes.len(), NONE);
+        let mut oriented = filled("nodes", self.nodes.len(), NONE)?;
         run.for_each_piece(&mut oriented, NODES, &|from, oriented| {
             for (node, oriented) in self.nodes[from..].iter().zip(oriented) {
                 oriented.child = node.child;
@@ -228,22 +225,14 @@ impl Fit {
         }
         let longest =
             edges.into_iter().fold(Vec3::ZERO, |e, f| if f.length_squared() > e.length_squared() { f } else { e });
-        let plain = Fit { from, to, normal, edge: longest, area: most.sqrt(), ..Fit::NONE };
-        let mut plain = plain;
+        let mut plain = Fit { from, to, normal, edge: longest, area: most.sqrt(), ..Fit::NONE };
         for k in from..to {
             let p = points.at(k);
             plain.sum += p;
             plain.products[0] += p * p;
             plain.products[1] += p.yzx() * p.zxy();
         }
-        let mut best = plain.tight(points);
-        for edge in edges {
-            if let Some(rows) = frame(normal, edge) {
-                let turned = Fit { rows, ..plain }.tight(points);
-                best = if turned.surface() < best.surface() { turned } else { best };
-            }
-        }
-        best
+        plain.smallest(edges.map(|edge| frame(normal, edge)), points)
     }
 
     /// What others have, side by side and at least one, together; around nothing yet.
@@ -260,9 +249,13 @@ impl Fit {
         })
     }
 
-    /// The smaller of those along the axes and along normal and edge around its points.
+    /// The smallest around its points along the axes, along normal and edge, or along the principal axes.
     fn around(self, points: &Points) -> Fit {
-        let frames = [frame(self.normal, self.edge), self.principal()];
+        self.smallest([frame(self.normal, self.edge), self.principal()], points)
+    }
+
+    /// The smallest around its points along the axes or in one of these frames.
+    fn smallest<const N: usize>(self, frames: [Option<[Vec3; 3]>; N], points: &Points) -> Fit {
         frames.into_iter().flatten().fold(self.tight(points), |best, rows| {
             let turned = Fit { rows, ..self }.tight(points);
             if turned.surface() < best.surface() { turned } else { best }

@@ -37,7 +37,7 @@ impl Geometry {
     /// The class of a box that is not a point, where it takes no numbers to know: of a mesh.
     fn side(&self, b: Aabb) -> Option<i32> {
         match self.node() {
-            Node::Surface(surface) if b.is_finite() => surface.side(b),
+            Node::Surface(surface) => surface.side(b),
             Node::Complement(g) => g.side(b).map(|side| -side),
             Node::Translate(g, shift) => g.side(Aabb::new(b.lo - *shift, b.hi - *shift)),
             Node::Part(g, _) => g.side(b),
@@ -104,12 +104,11 @@ impl Geometry {
         match self.node() {
             Node::Sphere(sphere) => sphere.range(b),
             Node::Shape(shape) => shape.range(b),
-            // Away from every triangle the sign is that of any point.
-            Node::Surface(surface) if surface.misses(b) => match self.raw_value(b.center()) > 0.0 {
-                true => POSITIVE,
-                false => NEGATIVE,
+            Node::Surface(surface) => match surface.side(b) {
+                Some(1) => POSITIVE,
+                Some(-1) => NEGATIVE,
+                _ => Interval::ALL,
             },
-            Node::Surface(_) => Interval::ALL,
             Node::Function { options, .. } if options.bounds.intersection(b).is_empty() => POSITIVE,
             Node::Function { function, .. } => function.range(b).unwrap_or(Interval::ALL),
             Node::Union(parts) => parts.range(b, 0.0),

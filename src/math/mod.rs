@@ -8,6 +8,7 @@ mod aabb;
 mod double_double;
 mod interval;
 mod interval_functions;
+mod morton;
 mod rounding;
 
 pub use aabb::Aabb;
@@ -15,6 +16,7 @@ pub use double_double::{cross_of_differences, volumes_of_differences};
 pub use glam::{DMat3 as Mat3, DVec3 as Vec3, Vec3Swizzles as Swizzles};
 pub use interval::Interval;
 pub use interval_functions::power;
+pub use morton::{MORTON_BITS, morton};
 pub use rounding::{f32_above, f32_below, f32_same_sign, positive_zero};
 
 /// Euclidean length that neither overflows nor underflows where the result is representable.

@@ -2,9 +2,9 @@
 //! Meshes taken apart and put together: by tag, by component, several into one, all with their data.
 
 use super::data::Field;
-use super::faces::{Faces, Sets, filled, starts_from_counts};
+use super::faces::{Faces, Sets, starts_from_counts};
 use super::{Input, Mesh, MeshOptions, Orient, build};
-use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
+use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
 
 /// What tags become where several meshes become one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,14 +5,13 @@ use super::clean::{Cleaned, clean};
 use super::data::Data;
 use super::duplicates;
 use super::edges::{Edges, turn_over};
-use super::faces::filled;
 use super::half_edge::HalfEdges;
 use super::input::Input;
 use super::orient::{self, Parts};
 use super::triangulate::triangulate;
 use super::weld::{Welded, keep_all, weld_equal, weld_near};
 use super::{Mesh, MeshOptions, Orient, Report, Surface, Triangle, copies, measure};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, filled};
 use crate::math::{Aabb, Vec3};
 
 /// Beyond these the exact predicates overflow, or lose the last digits of the coordinates to underflow.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Faces over welded vertices: corners that became one, spikes and faces of fewer than three corners leave.
 
-use super::faces::{Faces, filled};
+use super::faces::Faces;
 use super::input::Input;
 use super::weld::{UNUSED, Welded};
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, filled, try_with_capacity};
 use crate::math::Vec3;
 
 /// Faces of at least three different corners, and the vertices they use.

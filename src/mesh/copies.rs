@@ -3,11 +3,11 @@
 
 use super::duplicates::{self, Repeats, leave_out, runs_forward};
 use super::edges::{Edges, NONE};
-use super::faces::{Faces, Sets, filled};
+use super::faces::{Faces, Sets};
 use super::half_edge::HalfEdges;
 use super::orient::{self, Parts};
 use super::{Data, Mesh, Surface, Triangle};
-use crate::error::{Result, try_copy};
+use crate::error::{Result, filled, try_copy};
 
 /// What is left without copies.
 struct Single {

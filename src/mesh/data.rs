@@ -2,8 +2,8 @@
 //! Named data of vertices and faces: scalars and vectors that a file or the caller attached to a surface.
 
 use super::Mesh;
-use super::faces::{Faces, filled, starts_from_counts};
-use crate::error::{Error, Result, try_copy, try_with_capacity};
+use super::faces::{Faces, starts_from_counts};
+use crate::error::{Error, Result, filled, try_copy, try_with_capacity};
 use crate::math::Vec3;
 use std::cmp::Ordering;
 

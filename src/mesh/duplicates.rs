@@ -3,8 +3,8 @@
 
 use super::Triangle;
 use super::edges::{Edges, NONE};
-use super::faces::{Faces, filled, starts_from_counts};
-use crate::error::{Result, try_copy, try_with_capacity};
+use super::faces::{Faces, starts_from_counts};
+use crate::error::{Result, filled, try_copy, try_with_capacity};
 use std::cmp::Ordering;
 
 /// Faces that repeat an earlier one: the same ring of vertices, from whichever corner (for triangles: the

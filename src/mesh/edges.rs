@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Half-edges that join the same two vertices, found by a bucket sort over the lower vertex.
 
-use super::faces::{Faces, filled, starts_from_counts};
-use crate::error::{Result, try_with_capacity};
+use super::faces::{Faces, starts_from_counts};
+use crate::error::{Result, filled, try_with_capacity};
 
 /// No half-edge.
 pub(crate) const NONE: u32 = u32::MAX;

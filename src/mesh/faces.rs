@@ -101,13 +101,6 @@ impl Faces {
     }
 }
 
-/// `count` copies of `value`, or [`crate::Status::Memory`].
-pub(crate) fn filled<T: Clone>(what: &str, count: usize, value: T) -> Result<Vec<T>> {
-    let mut v = try_with_capacity(what, count)?;
-    v.resize(count, value);
-    Ok(v)
-}
-
 /// Turns counts into starts: afterwards `v[k]` is the sum of what came before, and the last the total.
 pub(crate) fn starts_from_counts(v: &mut [u32]) {
     let mut total = 0;

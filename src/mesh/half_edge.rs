@@ -2,9 +2,9 @@
 //! Half-edges of polygons in flat index arrays (Mäntylä 1988, Campagna et al. 1998).
 
 use super::edges::{Edges, NONE};
-use super::faces::{Faces, filled, starts_from_counts};
+use super::faces::{Faces, starts_from_counts};
 use super::{Mesh, Triangle};
-use crate::error::{Result, try_copy, try_with_capacity};
+use crate::error::{Result, filled, try_copy, try_with_capacity};
 use std::ops::Range;
 
 /// The topology of a mesh as it stands: oriented, without collapsed faces; faces keep all

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Faces parted into loops where they come to a vertex again.
 
-use super::faces::filled;
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 
 /// No place.
 const NONE: u32 = u32::MAX;

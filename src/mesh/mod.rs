@@ -36,11 +36,12 @@ pub use diagnosis::{
     Lists, NO_COMPONENT, NonmanifoldVertex,
 };
 pub use element::{Element, Measure};
-pub(crate) use faces::{Faces, Sets, filled};
+pub(crate) use faces::{Faces, Sets};
 pub use half_edge::HalfEdges;
 pub(crate) use input::Input;
 pub(crate) use measure::volume;
 pub use options::{MeshOptions, Orient};
+pub(crate) use pseudonormal::normal_and_angles;
 pub use repair::{RepairOptions, Repairs};
 
 pub use crate::primitive::inside::{Inside, contains as polygon_contains};

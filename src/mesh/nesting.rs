@@ -2,8 +2,7 @@
 //! Which closed shells lie inside which: parity of crossings along z, with exact predicates (Shewchuk
 //! 1997) and a half-open rule for edges, which amounts to moving the point by an infinitesimal.
 
-use super::faces::filled;
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use robust::{Coord, Coord3D, orient2d, orient3d};
 

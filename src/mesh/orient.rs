@@ -14,10 +14,10 @@
 //!    around it, and inward where it is odd.
 
 use super::edges::Edges;
-use super::faces::{Faces, Sets, filled, starts_from_counts};
+use super::faces::{Faces, Sets, starts_from_counts};
 use super::measure::{Sum, area, cone, corners};
 use super::{Triangle, nesting};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 
 /// A surface and its edges, without duplicate faces; `Triangle::face` counts in `faces`.

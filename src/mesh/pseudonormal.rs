@@ -5,11 +5,20 @@
 use super::Pseudonormals;
 use super::Triangle;
 use super::edges::Edges;
-use super::faces::filled;
 use super::measure::corners;
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::math::{Vec3, cross_of_differences, length, unit};
 use crate::primitive::polygon;
+
+/// The unit normal of a triangle and the angles that weigh it at its corners; none where its area is zero: it has no side
+/// then, and must not lend one to its neighbours.
+pub(crate) fn normal_and_angles([a, b, c]: [Vec3; 3]) -> (Vec3, Option<[f64; 3]>) {
+    let cross = cross_of_differences(a, b, c);
+    let twice_area = length(cross);
+    let angle = |p: Vec3, q: Vec3, r: Vec3| libm::atan2(twice_area, (q - p).dot(r - p));
+    let angles = (!polygon::are_collinear(a, b, c)).then(|| [angle(a, b, c), angle(b, c, a), angle(c, a, b)]);
+    (unit(cross), angles)
+}
 
 impl Pseudonormals {
     pub(super) fn of(vertices: &[Vec3], triangles: &[Triangle]) -> Result<Pseudonormals> {
@@ -19,18 +28,14 @@ impl Pseudonormals {
             vertex: filled("vertex normals", vertices.len(), Vec3::ZERO)?,
         };
         for t in triangles {
-            let [a, b, c] = corners(vertices, t);
-            // A triangle of zero area has no side, and must not lend one to its neighbours.
-            if polygon::are_collinear(a, b, c) {
+            let (normal, angles) = normal_and_angles(corners(vertices, t));
+            let Some(angles) = angles else {
                 normals.triangle.push(Vec3::ZERO);
                 continue;
-            }
-            let cross = cross_of_differences(a, b, c);
-            let normal = unit(cross);
+            };
             normals.triangle.push(normal);
-            let twice_area = length(cross);
-            for (v, (p, q, r)) in t.vertices.iter().zip([(a, b, c), (b, c, a), (c, a, b)]) {
-                normals.vertex[*v as usize] += libm::atan2(twice_area, (q - p).dot(r - p)) * normal;
+            for (v, angle) in t.vertices.iter().zip(angles) {
+                normals.vertex[*v as usize] += angle * normal;
             }
         }
         normals.add_edges(vertices.len(), triangles)?;

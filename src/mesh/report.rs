@@ -2,10 +2,10 @@
 //! What a mesh is like as read: after welding, before any repair.
 
 use super::edges::{Edges, excess};
-use super::faces::{Faces, Sets, filled};
+use super::faces::{Faces, Sets};
 use super::measure::{Flux, Sum, corners, twice_area};
 use super::{Report, Surface, Triangle};
-use crate::error::Result;
+use crate::error::{Result, filled};
 use crate::math::{Vec3, length};
 use crate::primitive::polygon;
 

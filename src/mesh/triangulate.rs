@@ -2,10 +2,10 @@
 //! Faces cut into triangles.
 
 use super::data::PieceRows;
-use super::faces::{Faces, filled};
+use super::faces::Faces;
 use super::lobes::Lobes;
 use super::{Triangle, ears};
-use crate::error::{Error, Result, try_copy, try_with_capacity};
+use crate::error::{Error, Result, filled, try_copy, try_with_capacity};
 use crate::math::{Aabb, Vec3, length, unit};
 use crate::primitive::least_area::{Stretch, least_area};
 use crate::primitive::polygon;

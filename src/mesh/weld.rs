@@ -7,8 +7,8 @@
 
 mod spots;
 
-use super::faces::{Sets, filled};
-use crate::error::{Error, Result, try_with_capacity};
+use super::faces::Sets;
+use crate::error::{Error, Result, filled, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use spots::Spots;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Values at the points of a lattice: the node values of a level set.
 
-use super::{CHUNK, Lattice, check, scanned_band, scanned_signs, sides, suited};
+use super::{CHUNK, Lattice, check, in_blocks, scanned_band, scanned_signs, sides, suited};
 use crate::error::{Error, Result};
 use crate::geometry::{Geometry, Kind};
 use crate::math::Vec3;
@@ -93,7 +93,7 @@ fn one_by_one(
     emit: &(dyn Fn([usize; 3], &[f64]) + Sync),
 ) -> Result<()> {
     if g.has_blocks() {
-        return in_blocks(g, lattice, mode, run, emit);
+        return block_by_block(g, lattice, mode, run, emit);
     }
     let [x, y, z] = lattice.axes;
     in_row_pieces(&suited(g, run), lattice.n(), &|at, count| {
@@ -114,28 +114,21 @@ fn one_by_one(
 /// Points along each axis of a block that is filled as one.
 const BLOCK: [usize; 3] = [16, 16, 32];
 
-/// Block by block.
-fn in_blocks(
+fn block_by_block(
     g: &Geometry,
     lattice: &Lattice,
     mode: FillMode,
     run: &Run,
     emit: &(dyn Fn([usize; 3], &[f64]) + Sync),
 ) -> Result<()> {
-    let n = lattice.n();
-    if n.contains(&0) {
-        return Ok(());
-    }
     let far = match mode {
         FillMode::Exact => f64::INFINITY,
         FillMode::Band(band) => band,
         FillMode::Sign => 0.0,
     };
-    let count = [0, 1, 2].map(|axis| n[axis].div_ceil(BLOCK[axis]));
-    run.for_each_chunk(count[0] * count[1] * count[2], &|chunk| {
-        let at = [chunk % count[0], chunk / count[0] % count[1], chunk / count[0] / count[1]];
-        let from = [0, 1, 2].map(|axis| at[axis] * BLOCK[axis]);
-        let axes = [0, 1, 2].map(|axis| &lattice.axes[axis][from[axis]..n[axis].min(from[axis] + BLOCK[axis])]);
+    in_blocks(run, lattice.n(), BLOCK, &|block| {
+        let from = block.each_ref().map(|range| range.start);
+        let axes = [0, 1, 2].map(|axis| &lattice.axes[axis][block[axis].clone()]);
         let [width, height, depth] = axes.map(<[f64]>::len);
         let mut values = [0.0; BLOCK[0] * BLOCK[1] * BLOCK[2]];
         let values = &mut values[..width * height * depth];

@@ -94,6 +94,13 @@ impl<'a> Lattice<'a> {
         Vec3::new(self.axes[0][at[0]], self.axes[1][at[1]], self.axes[2][at[2]])
     }
 
+    /// Edges along one axis, along each.
+    pub(super) fn edges(&self, axis: usize) -> [usize; 3] {
+        let mut edges = self.n();
+        edges[axis] = edges[axis].saturating_sub(1);
+        edges
+    }
+
     /// Points along each axis.
     pub fn n(&self) -> [usize; 3] {
         self.axes.map(<[f64]>::len)

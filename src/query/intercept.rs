@@ -100,9 +100,7 @@ pub fn crossings(
     if sides::are_known(g) {
         return sides::crossings(g, lattice, axis, form, run, emit);
     }
-    let mut edges = lattice.n();
-    edges[axis] = edges[axis].saturating_sub(1);
-    in_row_pieces(&suited(g, run), edges, &|at, count| {
+    in_row_pieces(&suited(g, run), lattice.edges(axis), &|at, count| {
         let mut found = Vec::new();
         for d in 0..count {
             let from = [at[0] + d, at[1], at[2]];

@@ -35,6 +35,7 @@ use crate::error::{Error, Result, Status};
 use crate::geometry::Geometry;
 use crate::math::Vec3;
 use crate::parallel::Run;
+use std::ops::Range;
 
 /// Items of a chunk of work.
 const CHUNK: usize = 256;
@@ -58,6 +59,20 @@ fn check(g: &Geometry, value: f64, p: Vec3) -> Result<()> {
 /// Chunks of up to `CHUNK` items: `work(first, count)`.
 fn in_chunks(run: &Run, count: usize, work: &(dyn Fn(usize, usize) -> Result<()> + Sync)) -> Result<()> {
     run.for_each_chunk(count.div_ceil(CHUNK), &|k| work(k * CHUNK, CHUNK.min(count - k * CHUNK)))
+}
+
+/// Blocks of a lattice of `n` points or edges, up to `most` along each axis.
+fn in_blocks(
+    run: &Run,
+    n: [usize; 3],
+    most: [usize; 3],
+    work: &(dyn Fn(&[Range<usize>; 3]) -> Result<()> + Sync),
+) -> Result<()> {
+    let count = [0, 1, 2].map(|axis| n[axis].div_ceil(most[axis]));
+    run.for_each_chunk(count[0] * count[1] * count[2], &|chunk| {
+        let at = [chunk % count[0], chunk / count[0] % count[1], chunk / count[0] / count[1]];
+        work(&[0, 1, 2].map(|axis| at[axis] * most[axis]..n[axis].min((at[axis] + 1) * most[axis])))
+    })
 }
 
 /// The same over the points of a source.

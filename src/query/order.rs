@@ -3,14 +3,10 @@
 //! No answer depends on it.
 
 use super::{PointSource, check};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::geometry::{Closest, Geometry};
-use crate::math::{Aabb, Vec3};
-use crate::mesh::filled;
+use crate::math::{Aabb, MORTON_BITS, Vec3, morton};
 use crate::parallel::Run;
-
-/// Bits of a code an axis.
-const BITS: u32 = 10;
 
 /// What is said of a point.
 pub(super) trait Answer: Copy + Send + Sync {
@@ -71,17 +67,17 @@ pub(super) fn at_sorted_points<T: Answer>(
 /// The points along the curve: codes in the upper, indices in the lower halves.
 fn order(points: &[Vec3]) -> Result<Vec<u64>> {
     let bounds = Aabb::of(points.iter().copied().filter(|p| p.is_finite()));
-    let scale = f64::from(1u32 << BITS) / (bounds.hi - bounds.lo);
+    let scale = f64::from(1u32 << MORTON_BITS) / (bounds.hi - bounds.lo);
     let mut order = try_with_capacity("points", points.len())?;
     order.extend(points.iter().enumerate().map(|(k, p)| {
         // What is no number, or an extent of none, becomes zero.
-        let at = ((*p - bounds.lo) * scale).to_array().map(|c| spread((c as u32).min((1 << BITS) - 1)));
-        u64::from(at[0] | at[1] << 1 | at[2] << 2) << 32 | k as u64
+        let at = ((*p - bounds.lo) * scale).to_array().map(|c| (c as u32).min((1 << MORTON_BITS) - 1));
+        u64::from(morton(at)) << 32 | k as u64
     }));
     let mut other = filled("points", points.len(), 0)?;
     for pass in 0..3 {
-        let digit = |code: &u64| (code >> (32 + BITS * pass)) as usize & ((1 << BITS) - 1);
-        let mut start = [0; 1 << BITS];
+        let digit = |code: &u64| (code >> (32 + MORTON_BITS * pass)) as usize & ((1 << MORTON_BITS) - 1);
+        let mut start = [0; 1 << MORTON_BITS];
         order.iter().for_each(|code| start[digit(code)] += 1);
         start.iter_mut().fold(0, |sum, count| sum + std::mem::replace(count, sum));
         for code in &order {
@@ -92,14 +88,6 @@ fn order(points: &[Vec3]) -> Result<Vec<u64>> {
         std::mem::swap(&mut order, &mut other);
     }
     Ok(order)
-}
-
-/// Two zeros between the bits of a number of [`BITS`].
-fn spread(x: u32) -> u32 {
-    let x = (x | x << 16) & 0x0300_00FF;
-    let x = (x | x << 8) & 0x0300_F00F;
-    let x = (x | x << 4) & 0x030C_30C3;
-    (x | x << 2) & 0x0924_9249
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! small ones that are left are asked point by point.
 
 use super::intercept::{Crossing, CrossingForm, EmitCrossings, crossing};
-use super::{Lattice, check};
+use super::{Lattice, check, in_blocks};
 use crate::error::{Error, Result};
 use crate::geometry::Geometry;
 use crate::math::{Aabb, Vec3};
@@ -32,7 +32,7 @@ pub(super) fn signs(
     run: &Run,
     emit: &(dyn Fn([usize; 3], &[i8]) + Sync),
 ) -> Result<()> {
-    in_blocks(lattice.n(), run, &|block| {
+    in_blocks(run, lattice.n(), BLOCK, &|block| {
         let [width, height, _] = block.each_ref().map(Range::len);
         let mut out = [0i8; BLOCK[0] * BLOCK[1] * BLOCK[2]];
         let place = |i: usize, j: usize, k: usize| {
@@ -73,9 +73,7 @@ pub(super) fn crossings(
     run: &Run,
     emit: EmitCrossings,
 ) -> Result<()> {
-    let mut edges = lattice.n();
-    edges[axis] = edges[axis].saturating_sub(1);
-    in_blocks(edges, run, &|block| {
+    in_blocks(run, lattice.edges(axis), BLOCK, &|block| {
         let mut found: Vec<([usize; 3], Crossing)> = Vec::new();
         for cube in cut(block, LARGE) {
             descend(&cube, &|cube| g.classify(around(lattice, cube, Some(axis))), &mut |cube, side| {
@@ -108,18 +106,6 @@ pub(super) fn crossings(
             emit([block[0].start, j, k], block[0].len(), &told[..here]);
         }
         Ok(())
-    })
-}
-
-/// Block by block.
-fn in_blocks(n: [usize; 3], run: &Run, work: &(dyn Fn(&Cube) -> Result<()> + Sync)) -> Result<()> {
-    if n.contains(&0) {
-        return Ok(());
-    }
-    let count = [0, 1, 2].map(|axis| n[axis].div_ceil(BLOCK[axis]));
-    run.for_each_chunk(count[0] * count[1] * count[2], &|chunk| {
-        let at = [chunk % count[0], chunk / count[0] % count[1], chunk / count[0] / count[1]];
-        work(&[0, 1, 2].map(|axis| at[axis] * BLOCK[axis]..n[axis].min((at[axis] + 1) * BLOCK[axis])))
     })
 }
 

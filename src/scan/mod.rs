@@ -10,7 +10,7 @@ mod rows;
 
 pub(crate) use axis::Axis;
 
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, filled};
 use crate::math::{Aabb, Vec3};
 use crate::parallel::Run;
 use axis::common;
@@ -111,7 +111,7 @@ impl<'a, T: Triangles> Scan<'a, T> {
 
     fn put_into_slabs(&mut self, run: &Run) -> Result<()> {
         // Of the candidates the first and the last slab; the first is beyond the last where there is none.
-        let run = &Run { progress: None, ..*run };
+        let run = &run.silent();
         let region = self.region();
         let bounds = self.triangles.bounds();
         let is_whole = region.intersection(bounds) == bounds;
@@ -130,14 +130,14 @@ impl<'a, T: Triangles> Scan<'a, T> {
         }
         let count = if is_whole { self.triangles.count() } else { some.len() };
         let candidate = |k: usize| if is_whole { k as u32 } else { some[k] };
-        let mut slabs: Vec<[u32; 2]> = zeros("triangles", count)?;
+        let mut slabs = filled("triangles", count, [0u32; 2])?;
         run.for_each_piece(&mut slabs, PIECE, &|from, slabs| {
             for (k, slabs) in (from..).zip(slabs) {
                 *slabs = self.slabs_of(self.triangles.corners(candidate(k)), &region);
             }
             Ok(())
         })?;
-        let mut start: Vec<u32> = zeros("slabs", self.slab_count() + 1)?;
+        let mut start = filled("slabs", self.slab_count() + 1, 0u32)?;
         let mut total = 0usize;
         for &[first, last] in &slabs {
             for k in first..last {
@@ -154,7 +154,7 @@ impl<'a, T: Triangles> Scan<'a, T> {
             sum += *count;
             *count = sum;
         }
-        let mut members: Vec<u32> = zeros("triangles", total)?;
+        let mut members = filled("triangles", total, 0u32)?;
         for (k, &[first, last]) in slabs.iter().enumerate().rev() {
             for slab in first..last {
                 let end = &mut start[slab as usize];
@@ -254,12 +254,6 @@ fn push<T>(to: &mut Vec<T>, item: T) -> std::result::Result<(), ()> {
     }
     to.push(item);
     Ok(())
-}
-
-fn zeros<T: Copy + Default>(what: &str, count: usize) -> Result<Vec<T>> {
-    let mut v = try_with_capacity(what, count)?;
-    v.resize(count, T::default());
-    Ok(v)
 }
 
 impl Slab {

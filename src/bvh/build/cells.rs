@@ -4,15 +4,15 @@
 //! difference.
 
 use super::split::Item;
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, filled, try_with_capacity};
+use crate::math::{MORTON_BITS, morton};
 use crate::parallel::Run;
 use std::sync::Mutex;
 
 /// Most items of a cell, but where more have one place.
 const CELL: usize = 16;
 
-/// Bits of a place along an axis, and of the first sorting, along all three.
-const BITS: u32 = 10;
+/// Bits of the first sorting, along all three axes.
 const FIRST: u32 = 12;
 
 /// Where more than one item in so many has a place that too many others have, cells say too little.
@@ -34,12 +34,12 @@ impl Cells {
         let mut keys = filled("primitives", items.len(), 0u64)?;
         run.for_each_piece(&mut keys, PIECE, &|from, piece| {
             for (k, key) in (from..).zip(piece) {
-                *key = u64::from(morton(items[k].place(1 << BITS))) << 32 | k as u64;
+                *key = u64::from(morton(items[k].place(1 << MORTON_BITS))) << 32 | k as u64;
             }
             Ok(())
         })?;
         let mut start = [0u32; (1 << FIRST) + 1];
-        let bucket = |key: u64| (key >> (32 + 3 * BITS - FIRST)) as usize;
+        let bucket = |key: u64| (key >> (32 + 3 * MORTON_BITS - FIRST)) as usize;
         keys.iter().for_each(|&key| start[bucket(key) + 1] += 1);
         (0..1 << FIRST).for_each(|k| start[k + 1] += start[k]);
         let mut sorted = filled("primitives", items.len(), 0u64)?;
@@ -65,7 +65,7 @@ impl Cells {
             let (keys, sizes, crowded) = &mut *task;
             keys.chunk_by_mut(|a, b| bucket(*a) == bucket(*b)).for_each(<[u64]>::sort_unstable);
             sizes.try_reserve(keys.len()).map_err(|_| Error::memory("cells", keys.len()))?;
-            *crowded = cut(keys, 3 * BITS, sizes);
+            *crowded = cut(keys, 3 * MORTON_BITS, sizes);
             Ok(())
         })?;
         let (mut sizes, mut crowded) = (try_with_capacity("cells", items.len() / 4)?, 0);
@@ -116,22 +116,4 @@ fn cut(keys: &[u64], bits: u32, sizes: &mut Vec<u32>) -> usize {
         rest = others;
     }
     crowded
-}
-
-/// The bits of three places below 2^10, by turns.
-fn morton(place: [u32; 3]) -> u32 {
-    let spread = |x: u32| {
-        let x = (x | x << 16) & 0x0300_00FF;
-        let x = (x | x << 8) & 0x0300_F00F;
-        let x = (x | x << 4) & 0x030C_30C3;
-        (x | x << 2) & 0x0924_9249
-    };
-    spread(place[0]) << 2 | spread(place[1]) << 1 | spread(place[2])
-}
-
-/// `count` copies.
-fn filled<T: Copy>(what: &str, count: usize, value: T) -> Result<Vec<T>> {
-    let mut all = try_with_capacity(what, count)?;
-    all.resize(count, value);
-    Ok(all)
 }

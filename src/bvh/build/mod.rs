@@ -7,7 +7,7 @@ mod refit;
 mod split;
 
 use super::{EMPTY_NODE, LEAF, Leaves, Node, Tree, scale_of};
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, filled, try_with_capacity};
 use crate::math::Aabb;
 use crate::parallel;
 use crate::simd::lanes::WIDTH;
@@ -44,7 +44,7 @@ impl Tree {
             return Err(Error::unsupported(format!("{count} primitives are too many for one hierarchy")));
         }
         // What the hierarchy is built for tells the progress.
-        let run = parallel::Run { progress: None, ..*run };
+        let run = run.silent();
         let whole = hull_of_all(count, bounds, &run)?;
         let mut tree = Tree {
             nodes: Vec::new(),
@@ -53,8 +53,7 @@ impl Tree {
             scale: scale_of(whole.diagonal()),
             depth: 0,
         };
-        let mut items: Vec<Item> = try_with_capacity("primitives", count)?;
-        items.resize(count, Item::NONE);
+        let mut items = filled("primitives", count, Item::NONE)?;
         run.for_each_piece(&mut items, SHORT, &|from, piece| {
             for (k, item) in piece.iter_mut().enumerate() {
                 *item = Item::new(tree.relative(bounds(from + k)), from + k);
@@ -80,8 +79,7 @@ impl Tree {
 
 /// The box around all.
 fn hull_of_all(count: usize, bounds: &(dyn Fn(usize) -> Aabb + Sync), run: &parallel::Run) -> Result<Aabb> {
-    let mut pieces = try_with_capacity("boxes", count.div_ceil(SHORT))?;
-    pieces.resize(count.div_ceil(SHORT), Aabb::EMPTY);
+    let mut pieces = filled("boxes", count.div_ceil(SHORT), Aabb::EMPTY)?;
     run.for_each_piece(&mut pieces, 1, &|piece, hull| {
         let members = piece * SHORT..count.min((piece + 1) * SHORT);
         hull[0] = members.fold(Aabb::EMPTY, |all, k| all.hull(bounds(k)));

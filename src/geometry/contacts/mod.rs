@@ -11,9 +11,9 @@ mod hub;
 mod star;
 
 use crate::bvh::{Leaves, Pairs, Scratch, Tree};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, filled};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::{HalfEdges, Triangle, filled};
+use crate::mesh::{HalfEdges, Triangle};
 use crate::parallel::Run;
 use crate::primitive::contact::{are_clear, folded, meet_beyond_corner, triangles_touch};
 use crate::primitive::polygon::are_collinear;

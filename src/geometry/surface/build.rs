@@ -4,10 +4,10 @@
 use super::normals::normals;
 use super::{ALONE, Doubts, Kept, Leaf, NO_TRIANGLE, Origin, PIECE, Sides, Sign, Surface, Triangles};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
-use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
+use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::{HalfEdges, Mesh, filled};
+use crate::mesh::{HalfEdges, Mesh};
 use crate::parallel::Run;
 use crate::primitive::estimate::Estimates;
 use crate::simd::lanes::WIDTH;

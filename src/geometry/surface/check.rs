@@ -8,11 +8,11 @@
 
 use super::{Doubts, Sign, Surface, UNCLEAR};
 use crate::bvh::Leaves;
-use crate::error::{Error, Result, Status};
+use crate::error::{Error, Result, Status, filled};
 use crate::geometry::SignMethod;
 use crate::geometry::contacts::Contacts;
 use crate::math::Vec3;
-use crate::mesh::{HalfEdges, Sets, Triangle, filled};
+use crate::mesh::{HalfEdges, Sets, Triangle};
 use crate::parallel::Run;
 
 /// Where more pairs meet than this and one in so many triangles, crossings decide everywhere.

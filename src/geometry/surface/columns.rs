@@ -4,9 +4,8 @@
 
 use super::tile::Block;
 use super::{Nearest, Surface};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, filled};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::filled;
 use crate::primitive::crossing::AxisLine;
 
 /// The columns of a block.

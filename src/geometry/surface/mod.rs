@@ -22,10 +22,9 @@ use sides::Sides;
 pub(crate) use tile::Block;
 
 use crate::bvh::{Leaves, Tree};
-use crate::error::Result;
+use crate::error::{Result, filled};
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
-use crate::mesh::filled;
 use crate::primitive::estimate::Estimates;
 use crate::primitive::overlap::are_apart;
 use crate::primitive::triangle::RELATIVE_ERROR;

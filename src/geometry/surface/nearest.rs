@@ -60,6 +60,17 @@ impl Best {
             self.offer(Foot { squared, feature, along }, triangle);
         }
     }
+
+    /// Asks the kernel about up to eight triangles, with as many lanes as they need.
+    #[inline(always)]
+    fn ask(&mut self, surface: &Surface, p: Vec3, triangles: &[u32]) {
+        match *triangles {
+            [] => {}
+            [triangle] => self.offer(surface.foot(triangle, p), triangle),
+            [_, _] | [_, _, _] | [_, _, _, _] => self.offer_all::<4>(&surface.feet(triangles, p), triangles),
+            _ => self.offer_all::<WIDTH>(&surface.feet(triangles, p), triangles),
+        }
+    }
 }
 
 /// The search by the hierarchy.
@@ -82,15 +93,15 @@ impl Kernel for Search<'_> {
     }
 }
 
-/// The search by the hierarchy in the compact layout: the kernel for every triangle of a leaf.
-struct SearchCompact<'a> {
+/// The search by the hierarchy that asks the kernel about every triangle of a leaf: in the compact layout, and from far away.
+struct SearchByKernel<'a> {
     surface: &'a Surface,
     tree: &'a Tree,
     p: Vec3,
     best: Best,
 }
 
-impl Kernel for SearchCompact<'_> {
+impl Kernel for SearchByKernel<'_> {
     type Output = Best;
 
     #[inline(always)]
@@ -101,7 +112,7 @@ impl Kernel for SearchCompact<'_> {
     }
 }
 
-impl<S: Simd> LeafDistance<S> for SearchCompact<'_> {
+impl<S: Simd> LeafDistance<S> for SearchByKernel<'_> {
     #[inline(always)]
     fn visit(&mut self, simd: S, leaf: usize, _: [f32; 3], _: f32) -> f32 {
         simd.apart(OfLeaf { search: self, leaf });
@@ -109,7 +120,7 @@ impl<S: Simd> LeafDistance<S> for SearchCompact<'_> {
     }
 }
 
-impl SearchCompact<'_> {
+impl SearchByKernel<'_> {
     /// As far as what the kernel is off by leaves of interest.
     #[inline(always)]
     fn limit(&self) -> f64 {
@@ -129,7 +140,7 @@ impl SearchCompact<'_> {
 }
 
 struct OfLeaf<'a, 'b> {
-    search: &'a mut SearchCompact<'b>,
+    search: &'a mut SearchByKernel<'b>,
     leaf: usize,
 }
 
@@ -139,11 +150,7 @@ impl Kernel for OfLeaf<'_, '_> {
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
         let OfLeaf { search, leaf } = self;
-        let members = search.surface.members(leaf);
-        match members.len() {
-            1..=4 => search.best.offer_all::<4>(&search.surface.feet(members, search.p), members),
-            _ => search.best.offer_all::<WIDTH>(&search.surface.feet(members, search.p), members),
-        }
+        search.best.ask(search.surface, search.p, search.surface.members(leaf));
     }
 }
 
@@ -293,15 +300,8 @@ impl<'a> Waiting<'a> {
 
     #[inline(always)]
     fn ask_kernel(&mut self) {
-        let mut rest = &self.triangles[..self.count];
-        while !rest.is_empty() {
-            let (some, others) = rest.split_at(rest.len().min(WIDTH));
-            match some.len() {
-                1 => self.best.offer(self.surface.foot(some[0], self.p), some[0]),
-                2..=4 => self.best.offer_all::<4>(&self.surface.feet(some, self.p), some),
-                _ => self.best.offer_all::<WIDTH>(&self.surface.feet(some, self.p), some),
-            }
-            rest = others;
+        for some in self.triangles[..self.count].chunks(WIDTH) {
+            self.best.ask(self.surface, self.p, some);
         }
         self.count = 0;
     }
@@ -351,9 +351,9 @@ impl Surface {
         self.at(
             p,
             match &self.tree {
-                Some(tree) if tree.is_far(p) => SearchCompact { surface: self, tree, p, best: Best::NONE }.far_away(),
+                Some(tree) if tree.is_far(p) => SearchByKernel { surface: self, tree, p, best: Best::NONE }.far_away(),
                 Some(tree) if self.compact.is_some() => {
-                    dispatch(SearchCompact { surface: self, tree, p, best: Best::NONE })
+                    dispatch(SearchByKernel { surface: self, tree, p, best: Best::NONE })
                 }
                 Some(tree) => dispatch(Search { surface: self, tree, p }),
                 None => dispatch(OfAll { surface: self, p }),

@@ -3,11 +3,10 @@
 //! 1998), triangle by triangle and vertex by vertex, and which of them say nothing of the surface.
 
 use super::{PIECE, Surface, UNCLEAR};
-use crate::error::{Result, try_copy, try_with_capacity};
-use crate::math::{Vec3, cross_of_differences, length, unit};
-use crate::mesh::{HalfEdges, filled};
+use crate::error::{Result, filled, try_copy, try_with_capacity};
+use crate::math::Vec3;
+use crate::mesh::{HalfEdges, normal_and_angles};
 use crate::parallel::Run;
-use crate::primitive::polygon::are_collinear;
 use std::collections::HashSet;
 use std::sync::Arc;
 
@@ -47,16 +46,9 @@ pub(super) fn normals(
 }
 
 impl Share {
-    fn of([a, b, c]: [Vec3; 3]) -> Share {
-        let cross = cross_of_differences(a, b, c);
-        let normal = unit(cross);
-        // A triangle of zero area has no side, and must not lend one to its neighbours.
-        if are_collinear(a, b, c) {
-            return Share { normal, angles: [0.0; 3] };
-        }
-        let twice_area = length(cross);
-        let angles = [(a, b, c), (b, c, a), (c, a, b)].map(|(p, q, r)| libm::atan2(twice_area, (q - p).dot(r - p)));
-        Share { normal, angles }
+    fn of(corners: [Vec3; 3]) -> Share {
+        let (normal, angles) = normal_and_angles(corners);
+        Share { normal, angles: angles.unwrap_or([0.0; 3]) }
     }
 }
 

@@ -3,10 +3,10 @@
 
 use super::{Kept, PIECE, Sign, Surface};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
-use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
+use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
 use crate::geometry::{Accelerator, RefitCheck};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::{self, HalfEdges, LARGEST_COORDINATE, SMALLEST_DIAGONAL, Triangle, filled};
+use crate::mesh::{self, HalfEdges, LARGEST_COORDINATE, SMALLEST_DIAGONAL, Triangle};
 use crate::parallel::Run;
 
 /// A volume of less than this share of the diagonal's cube has no side.

@@ -3,9 +3,8 @@
 //! near it, and if none does, on which side it is.
 
 use super::Surface;
-use crate::error::Result;
+use crate::error::{Result, filled};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::filled;
 use crate::primitive::overlap::are_apart;
 use crate::primitive::triangle::RELATIVE_ERROR;
 
@@ -140,9 +139,12 @@ fn cells_between(lo: [usize; 3], hi: [usize; 3]) -> impl Iterator<Item = ([usize
 }
 
 impl Surface {
-    /// -1 where every double of a finite box is inside, +1 where outside, 0 where the surface is near; none where all that
-    /// is known is that it may be.
+    /// -1 where every double of a box is inside, +1 where outside, 0 where the surface is near; none where all that is
+    /// known is that it may be, as of a box that is not finite.
     pub(crate) fn side(&self, b: Aabb) -> Option<i32> {
+        if !b.is_finite() {
+            return None;
+        }
         match self.sides.of(b) {
             0 => {}
             side => return Some(side),

@@ -2,9 +2,9 @@
 //! The pieces of a mesh that edges hold together, each measured as read.
 
 use super::{Diagnosis, NO_COMPONENT, Subject};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::math::{Aabb, Vec3, length};
-use crate::mesh::faces::{Sets, filled};
+use crate::mesh::faces::Sets;
 use crate::mesh::measure::{Flux, Sum, twice_area};
 
 /// A set of faces connected over edges, whatever number of faces these have.

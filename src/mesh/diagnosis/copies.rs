@@ -2,10 +2,10 @@
 //! One of each set of copies, for what would otherwise be asked of all of them.
 
 use super::{Intersections, Mesh, push};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::mesh::Triangle;
 use crate::mesh::duplicates::{self, Repeats};
-use crate::mesh::faces::{filled, starts_from_counts};
+use crate::mesh::faces::starts_from_counts;
 
 /// Faces that others repeat, and the triangles without the repetitions.
 pub(crate) struct Copies {

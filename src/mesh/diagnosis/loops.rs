@@ -4,11 +4,11 @@
 //! simple and every edge is in one (Hierholzer 1873, without joining).
 
 use super::{Diagnosis, Lists, Subject, push};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::math::{Aabb, Vec3, length};
 use crate::mesh::HalfEdges;
 use crate::mesh::edges::NONE;
-use crate::mesh::faces::{filled, starts_from_counts};
+use crate::mesh::faces::starts_from_counts;
 use crate::mesh::measure::Sum;
 
 /// A chain of boundary edges that passes no vertex twice. It runs the way the faces at it ran when read, where

@@ -2,10 +2,9 @@
 //! What the counts do not tell and advice needs: boundaries that nearly coincide, shells within shells.
 
 use super::{Diagnosis, Subject};
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::Triangle;
-use crate::mesh::faces::filled;
 use crate::mesh::orient::{self, Parts};
 use crate::mesh::weld::{weld_equal, weld_near};
 

@@ -3,9 +3,8 @@
 //! two faces leads from one to the next, must form one open fan or one closed disc.
 
 use super::{Diagnosis, Subject, push};
-use crate::error::Result;
+use crate::error::{Result, filled};
 use crate::mesh::edges::NONE;
-use crate::mesh::faces::filled;
 
 /// A vertex of several fans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

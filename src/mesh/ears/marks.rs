@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A set of numbers that finds the next one: a bit each, a bit for each word of bits, and so on.
 
-use crate::error::{Result, try_with_capacity};
-use crate::mesh::faces::filled;
+use crate::error::{Result, filled, try_with_capacity};
 
 /// The set; every level has a bit for each word of the one before.
 pub(super) struct Marks {

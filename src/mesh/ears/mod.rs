@@ -8,8 +8,7 @@
 mod marks;
 mod tree;
 
-use super::faces::filled;
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::primitive::polygon::{is_flat, turn};
 use marks::Marks;
 use tree::Tree;

@@ -2,8 +2,7 @@
 //! A k-d tree (Bentley 1975) over points of the plane that loses them one by one, and tells whether any is left in a
 //! triangle, by exact predicates (Shewchuk 1997).
 
-use crate::error::{Result, try_with_capacity};
-use crate::mesh::faces::filled;
+use crate::error::{Result, filled, try_with_capacity};
 use crate::primitive::polygon::{blocks, turn};
 
 /// Points in a leaf at most.

@@ -8,11 +8,11 @@
 
 use super::Repairs;
 use super::work::Work;
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, filled, try_with_capacity};
 use crate::math::Aabb;
 use crate::mesh::clean::Corner;
 use crate::mesh::edges::Edges;
-use crate::mesh::faces::{Sets, filled, starts_from_counts};
+use crate::mesh::faces::{Sets, starts_from_counts};
 use crate::primitive::polygon::are_collinear;
 use std::ops::Range;
 

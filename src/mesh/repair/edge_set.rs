@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A set of edges in a hash table with a fixed hash.
 
-use crate::error::Result;
-use crate::mesh::faces::filled;
+use crate::error::{Result, filled};
 
 const FREE: u64 = u64::MAX;
 

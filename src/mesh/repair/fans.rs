@@ -3,9 +3,9 @@
 
 use super::work::{Work, fits};
 use super::{Repairs, push};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, filled};
 use crate::mesh::edges::{Edges, NONE};
-use crate::mesh::faces::{Sets, filled};
+use crate::mesh::faces::Sets;
 
 /// Sets of corners, one a fan. Corners have the numbers of their half-edges.
 ///

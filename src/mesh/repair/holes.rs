@@ -5,12 +5,12 @@ use super::edge_set::EdgeSet;
 use super::rims::{Rims, Step};
 use super::work::{Work, fits};
 use super::{RepairOptions, Repairs, push};
-use crate::error::{Error, Result, try_with_capacity};
+use crate::error::{Error, Result, filled, try_with_capacity};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::Mesh;
 use crate::mesh::clean::Corner;
 use crate::mesh::edges::Edges;
-use crate::mesh::faces::{Sets, filled};
+use crate::mesh::faces::Sets;
 use crate::parallel::Run;
 use crate::primitive::least_area::{Stretch, least_area};
 

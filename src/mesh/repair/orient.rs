@@ -3,9 +3,9 @@
 
 use super::Repairs;
 use super::work::Work;
-use crate::error::Result;
+use crate::error::{Result, filled};
 use crate::mesh::edges::{Edges, turn_over};
-use crate::mesh::faces::{Sets, filled};
+use crate::mesh::faces::Sets;
 use crate::mesh::orient::{self, Parts};
 use crate::mesh::triangulate::triangulate;
 use crate::mesh::{copies, duplicates};

@@ -4,9 +4,8 @@
 use super::fans::fans;
 use super::push;
 use super::work::Work;
-use crate::error::{Result, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::mesh::edges::{Edges, NONE};
-use crate::mesh::faces::filled;
 
 /// A corner of a rim, and whether the edge from it to the next one is walked the way its face runs.
 #[derive(Clone, Copy)]

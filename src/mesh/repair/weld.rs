@@ -3,9 +3,8 @@
 
 use super::Repairs;
 use super::work::Work;
-use crate::error::Result;
+use crate::error::{Result, filled};
 use crate::math::Aabb;
-use crate::mesh::faces::filled;
 use crate::mesh::weld::{weld_equal, weld_near};
 
 /// `tolerance` is a part of the diagonal; 0: equal positions.

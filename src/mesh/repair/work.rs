@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A surface that is being repaired: its faces and the data of their corners, which the steps change in turn.
 
-use crate::error::{Error, Result, Status, try_copy, try_with_capacity};
+use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
 use crate::math::{Vec3, length};
 use crate::mesh::clean::{Corner, add_corner, close_ring};
 use crate::mesh::data::{Field, FieldType};
-use crate::mesh::faces::{Faces, filled, starts_from_counts};
+use crate::mesh::faces::{Faces, starts_from_counts};
 use crate::mesh::{Input, Mesh};
 
 /// The surface between two steps.

@@ -3,9 +3,8 @@
 //! descended at once.
 
 use super::Grid;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, filled};
 use crate::math::{Aabb, Vec3, length};
-use crate::mesh::faces::filled;
 
 /// Vertices that are looked at one by one at most.
 const LEAF: usize = 8;
