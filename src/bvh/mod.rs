@@ -13,7 +13,7 @@ mod witness;
 
 pub(crate) use nearest::{Along, Around, GROUP, LeafDistance, nearest, nearest_for_group};
 pub(crate) use pairs::{ALONE, Pairs, Scratch};
-pub(crate) use witness::{Corners, Eight, LeafList, WITNESSES};
+pub(crate) use witness::{Corners, LeafList};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};
 use crate::simd::lanes::WIDTH;

@@ -17,6 +17,10 @@ pub(crate) trait LeafDistance<S: Simd> {
     /// distances.
     fn visit(&mut self, simd: S, leaf: usize, at: [f32; 3], slack: f32) -> f32;
 
+    /// Asks for the memory of a leaf that may be visited next.
+    #[inline(always)]
+    fn fetch(&self, _: usize) {}
+
     /// The search is over.
     #[inline(always)]
     fn finish(&mut self, _: S) {}
@@ -226,6 +230,18 @@ impl<const STACK: usize> Descent<STACK> {
         false
     }
 
+    /// Asks for the memory of what comes next if the bound stays.
+    #[inline(always)]
+    fn fetch_next<S: Simd, W: Way<S>>(&self, boxes: &[W::Boxes], bound: i32, leaf: &impl LeafDistance<S>) {
+        let last = self.top.wrapping_sub(1) & (STACK - 1);
+        if self.top > 0 && self.keys[last] <= bound {
+            match self.waiting[last] {
+                child if child & LEAF == 0 => prefetch(&boxes[child as usize]),
+                child => leaf.fetch((child & !LEAF) as usize),
+            }
+        }
+    }
+
     #[inline(always)]
     fn finish<S: Simd, W: Way<S>>(&mut self, simd: S, tree: &Tree, start: f32, leaf: &mut impl LeafDistance<S>) {
         let slack = self.slack;
@@ -243,6 +259,7 @@ impl<const STACK: usize> Descent<STACK> {
             let goes_on = if self.child & LEAF == 0 {
                 self.down::<S, W>(simd, boxes, bound)
             } else {
+                self.fetch_next::<S, W>(boxes, bound, leaf);
                 bound = limit(leaf.visit(simd, (self.child & !LEAF) as usize, self.at, slack));
                 false
             };

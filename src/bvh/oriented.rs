@@ -22,7 +22,7 @@ pub(crate) struct Oriented {
     pub(super) child: [u32; WIDTH],
 }
 
-const NONE: Oriented = Oriented {
+pub(super) const NONE: Oriented = Oriented {
     rows: [[[0.0; WIDTH]; 3]; 3],
     middle: [[0.0; WIDTH]; 3],
     half: [[0.0; WIDTH]; 3],
@@ -173,6 +173,17 @@ impl Oriented {
             }
             self.middle[k][lane] = fit.middle[k] as f32;
             self.half[k][lane] = f32_above(fit.half[k] + WIDENED * fit.half.length());
+        }
+    }
+
+    /// Copies a box, not its child.
+    pub(super) fn copy(&mut self, lane: usize, from: &Oriented, from_lane: usize) {
+        for k in 0..3 {
+            for j in 0..3 {
+                self.rows[k][j][lane] = from.rows[k][j][from_lane];
+            }
+            self.middle[k][lane] = from.middle[k][from_lane];
+            self.half[k][lane] = from.half[k][from_lane];
         }
     }
 

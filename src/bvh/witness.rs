@@ -3,7 +3,8 @@
 //! functions of p, hence concave, and least at a corner of the box: where S is farther than b at all eight corners, it
 //! is so in the whole box. Points of the surface are the b's, the witnesses.
 
-use super::{LEAF, Node, Tree};
+use super::oriented::{self, Oriented};
+use super::{LEAF, Tree};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
 use crate::simd::float8::{Float8, Simd, slack};
@@ -15,48 +16,54 @@ pub(crate) trait Eight<S: Simd> {
     fn at_least(&self, simd: S, at: [f32; 3], slack: f32) -> S::Float;
 }
 
-impl<S: Simd> Eight<S> for Node {
+impl<S: Simd> Eight<S> for Oriented {
     #[inline(always)]
     fn at_least(&self, simd: S, at: [f32; 3], slack: f32) -> S::Float {
-        let mut sum = S::Float::splat(simd, 0.0);
-        for axis in 0..3 {
-            let c = S::Float::splat(simd, at[axis]);
-            let (lo, hi) = (S::Float::load(simd, &self.lo[axis]), S::Float::load(simd, &self.hi[axis]));
-            let outside = lo.sub(c).max(c.sub(hi)).max(S::Float::splat(simd, 0.0));
-            sum = outside.mul(outside).add(sum);
-        }
-        // Squares, sum and root are off by fewer than eight roundings.
-        let distance = sum.sqrt();
-        distance.mul(S::Float::splat(simd, 1.0 - 4.0 * f32::EPSILON)).sub(S::Float::splat(simd, slack))
+        // Squares are off by 24 roundings, distances by half as many and one.
+        let distance = self.squares(simd, at).sqrt();
+        distance.mul(S::Float::splat(simd, 1.0 - 10.0 * f32::EPSILON)).sub(S::Float::splat(simd, slack))
     }
 }
 
-/// Witnesses of a box; more help little.
-pub(crate) const WITNESSES: usize = 4;
-
 /// The corners of a box, and how far from each the witnesses are.
-pub(crate) struct Corners {
-    at: [[f32; 3]; WIDTH],
+pub(crate) struct Corners<const WITNESSES: usize> {
+    at: [[f32; WIDTH]; 3],
     slack: [f32; WIDTH],
     /// Distances to the witnesses, rounded up.
     reach: [[f32; WIDTH]; WITNESSES],
 }
 
-impl Corners {
+impl<const WITNESSES: usize> Corners<WITNESSES> {
     /// Of corners and witnesses as the tree places them; witnesses are off the surface by up to `error`.
-    pub(crate) fn new(corners: [Vec3; WIDTH], witnesses: [Vec3; WITNESSES], error: f64) -> Corners {
-        let mut all = Corners {
-            at: corners.map(|c| [c.x as f32, c.y as f32, c.z as f32]),
-            slack: corners.map(|c| slack(c.abs().max_element())),
-            reach: [[0.0; WIDTH]; WITNESSES],
-        };
-        for (j, witness) in witnesses.into_iter().enumerate() {
-            for (k, corner) in corners.into_iter().enumerate() {
+    #[inline(always)]
+    pub(crate) fn new(corners: &[Vec3; WIDTH], witnesses: &[Vec3; WITNESSES], error: f64) -> Corners<WITNESSES> {
+        let (mut at, mut slacks) = ([[0.0; WIDTH]; 3], [0.0; WIDTH]);
+        let mut reach = [[0.0; WIDTH]; WITNESSES];
+        for (k, corner) in corners.iter().enumerate() {
+            (at[0][k], at[1][k], at[2][k]) = (corner.x as f32, corner.y as f32, corner.z as f32);
+            slacks[k] = slack(corner.abs().max_element());
+            for (j, witness) in witnesses.iter().enumerate() {
                 // Beside a rounding of an f32 those of the f64 before it are nothing.
-                all.reach[j][k] = ((corner - witness).length() * (1.0 + f64::from(f32::EPSILON)) + error) as f32;
+                reach[j][k] = ((*corner - *witness).length() * (1.0 + f64::from(f32::EPSILON)) + error) as f32;
             }
         }
-        all
+        Corners { at, slack: slacks, reach }
+    }
+
+    /// A coordinate of all corners.
+    #[inline(always)]
+    pub(crate) fn along<S: Simd>(&self, simd: S, axis: usize) -> S::Float {
+        S::Float::load(simd, &self.at[axis])
+    }
+
+    /// Whether what is at least so far from each corner may be nearest somewhere.
+    #[inline(always)]
+    pub(crate) fn survives<S: Simd>(&self, simd: S, lower: S::Float) -> bool {
+        let mut survives = true;
+        for reach in &self.reach {
+            survives &= lower.sub(S::Float::load(simd, reach)).not_above(0.0) != 0;
+        }
+        survives
     }
 
     /// A bit for each of eight things that may be nearest somewhere.
@@ -64,7 +71,7 @@ impl Corners {
     pub(crate) fn survivors<S: Simd>(&self, simd: S, things: &impl Eight<S>) -> u32 {
         let mut least = [S::Float::splat(simd, f32::INFINITY); WITNESSES];
         for k in 0..WIDTH {
-            let distance = things.at_least(simd, self.at[k], self.slack[k]);
+            let distance = things.at_least(simd, [self.at[0][k], self.at[1][k], self.at[2][k]], self.slack[k]);
             for j in 0..WITNESSES {
                 least[j] = distance.sub(S::Float::splat(simd, self.reach[j][k])).min(least[j]);
             }
@@ -80,7 +87,7 @@ impl Corners {
 /// Leaves with their boxes, eight side by side.
 #[derive(Default)]
 pub(crate) struct LeafList {
-    groups: Vec<Node>,
+    groups: Vec<Oriented>,
     count: usize,
 }
 
@@ -99,16 +106,14 @@ impl LeafList {
         self.count = 0;
     }
 
-    fn push(&mut self, node: &Node, lane: usize, leaf: u32) -> Result<()> {
+    fn push(&mut self, node: &Oriented, lane: usize, leaf: u32) -> Result<()> {
         let k = self.count % WIDTH;
         if k == 0 {
             self.groups.try_reserve(1).map_err(|_| Error::memory("leaves", self.count + 1))?;
-            self.groups.push(super::EMPTY_NODE);
+            self.groups.push(oriented::NONE);
         }
         let Some(group) = self.groups.last_mut() else { return Ok(()) };
-        for axis in 0..3 {
-            (group.lo[axis][k], group.hi[axis][k]) = (node.lo[axis][lane], node.hi[axis][lane]);
-        }
+        group.copy(k, node, lane);
         group.child[k] = leaf;
         self.count += 1;
         Ok(())
@@ -127,7 +132,12 @@ impl LeafList {
 
     /// Those of `from` that may be nearest somewhere in the box.
     #[inline(always)]
-    pub(crate) fn sift<S: Simd>(&mut self, simd: S, from: &LeafList, corners: &Corners) -> Result<()> {
+    pub(crate) fn sift<S: Simd, const N: usize>(
+        &mut self,
+        simd: S,
+        from: &LeafList,
+        corners: &Corners<N>,
+    ) -> Result<()> {
         self.clear();
         for group in &from.groups {
             let mut bits = corners.survivors(simd, group);
@@ -144,12 +154,12 @@ impl LeafList {
 }
 
 impl Tree {
-    /// The leaves that may be nearest somewhere in the box; false where there are more than `most`. `stack` is scratch.
+    /// After [`Tree::fit`], the leaves that may be nearest somewhere in the box; false where there are more than `most`. `stack` is scratch.
     #[inline(always)]
-    pub(crate) fn surviving_leaves<S: Simd>(
+    pub(crate) fn surviving_leaves<S: Simd, const N: usize>(
         &self,
         simd: S,
-        corners: &Corners,
+        corners: &Corners<N>,
         most: usize,
         stack: &mut Vec<u32>,
         list: &mut LeafList,
@@ -158,7 +168,7 @@ impl Tree {
         stack.clear();
         stack.push(0);
         while let Some(at) = stack.pop() {
-            let node = &self.nodes[at as usize];
+            let node = &self.oriented[at as usize];
             let mut bits = corners.survivors(simd, node);
             while bits != 0 {
                 let k = bits.trailing_zeros() as usize & (WIDTH - 1);

@@ -7,6 +7,7 @@ mod build;
 mod classify;
 mod closest;
 pub(crate) mod contacts;
+mod cursor;
 mod fingerprint;
 mod level;
 mod linear;
@@ -30,6 +31,7 @@ mod value;
 
 pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
+pub use cursor::Cursor;
 pub use properties::{
     Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod,
 };

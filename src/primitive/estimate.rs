@@ -109,8 +109,7 @@ impl Estimates {
 
     #[inline(always)]
     fn distances<S: Simd>(&self, simd: S, at: [f32; 3]) -> S::Float {
-        let zero = S::Float::splat(simd, 0.0);
-        let mut frame = [zero; 3];
+        let mut frame = [S::Float::splat(simd, 0.0); 3];
         for axis in 0..3 {
             let to = S::Float::splat(simd, at[axis]).sub(load(simd, &self.origin[axis]));
             for row in 0..3 {
@@ -118,22 +117,96 @@ impl Estimates {
                 frame[row] = if axis == 0 { part } else { frame[row].add(part) };
             }
         }
-        let [x, y, z] = frame;
-        let (b, cx, cy) = (load(simd, &self.b), load(simd, &self.c[0]), load(simd, &self.c[1]));
-
-        let beyond = x.sub(x.max(zero).min(b));
-        let base = beyond.mul(beyond).add(y.mul(y));
-        let (ex, qx) = (cx.sub(b), x.sub(b));
-        let right = segment(simd, [qx, y], [ex, cy], load(simd, &self.inverse[0]));
-        let left = segment(simd, [x, y], [cx, cy], load(simd, &self.inverse[1]));
-        let edges = base.min(right).min(left);
-
-        let inside_right = ex.mul(y).sub(cy.mul(qx));
-        let inside_left = cy.mul(x).sub(cx.mul(y));
-        let inside = y.min(inside_right).min(inside_left);
-        let planar = edges.zero_where_positive(inside);
-        planar.add(z.mul(z)).sqrt()
+        let c = [load(simd, &self.c[0]), load(simd, &self.c[1])];
+        let inverse = [load(simd, &self.inverse[0]), load(simd, &self.inverse[1])];
+        distances(simd, frame, load(simd, &self.b), c, inverse)
     }
+
+    /// One of them, for eight points at once.
+    #[inline(always)]
+    pub(crate) fn one<S: Simd>(&self, simd: S, lane: usize) -> Estimate<S::Float> {
+        let splat = |lanes: &F32x8| S::Float::splat(simd, lanes.0[lane]);
+        let mut one = Estimate {
+            origin: [splat(&self.origin[0]), splat(&self.origin[1]), splat(&self.origin[2])],
+            axes: [[S::Float::splat(simd, 0.0); 3]; 3],
+            b: splat(&self.b),
+            c: [splat(&self.c[0]), splat(&self.c[1])],
+            inverse: [splat(&self.inverse[0]), splat(&self.inverse[1])],
+        };
+        for row in 0..3 {
+            for axis in 0..3 {
+                one.axes[row][axis] = splat(&self.axes[row][axis]);
+            }
+        }
+        one
+    }
+
+    /// Of one of them, what its estimates are off by beside [`BELOW`] and [`ABOVE`].
+    #[inline(always)]
+    pub(crate) fn margin(&self, lane: usize, slack: f32) -> f32 {
+        self.b.0[lane] * ERROR + slack
+    }
+}
+
+/// The least that a distance can be is its estimate times this less the margin.
+pub(crate) const BELOW: f32 = 1.0 - ERROR;
+
+/// The most that a distance can be is its estimate times this and the margin.
+pub(crate) const ABOVE: f32 = 1.0 + ERROR;
+
+/// One triangle, the same in all lanes.
+#[derive(Clone, Copy)]
+pub(crate) struct Estimate<F> {
+    origin: [F; 3],
+    axes: [[F; 3]; 3],
+    b: F,
+    c: [F; 2],
+    inverse: [F; 2],
+}
+
+impl<F: Copy> Estimate<F> {
+    /// What a coordinate of eight points adds to theirs in the frame, whose sum goes to [`Estimate::distances`].
+    #[inline(always)]
+    pub(crate) fn along<S: Simd<Float = F>>(&self, axis: usize, at: F) -> [F; 3]
+    where
+        F: Float8<S>,
+    {
+        let to = at.sub(self.origin[axis]);
+        [to.mul(self.axes[0][axis]), to.mul(self.axes[1][axis]), to.mul(self.axes[2][axis])]
+    }
+
+    /// The distances, near the truth by [`BELOW`], [`ABOVE`] and the margin, which hold for sums in any order.
+    #[inline(always)]
+    pub(crate) fn distances<S: Simd<Float = F>>(&self, simd: S, frame: [F; 3]) -> F
+    where
+        F: Float8<S>,
+    {
+        distances(simd, frame, self.b, self.c, self.inverse)
+    }
+}
+
+/// The distances of points in their triangles' frames.
+#[inline(always)]
+fn distances<S: Simd>(
+    simd: S,
+    [x, y, z]: [S::Float; 3],
+    b: S::Float,
+    [cx, cy]: [S::Float; 2],
+    inverse: [S::Float; 2],
+) -> S::Float {
+    let zero = S::Float::splat(simd, 0.0);
+    let beyond = x.sub(x.max(zero).min(b));
+    let base = beyond.mul(beyond).add(y.mul(y));
+    let (ex, qx) = (cx.sub(b), x.sub(b));
+    let right = segment(simd, [qx, y], [ex, cy], inverse[0]);
+    let left = segment(simd, [x, y], [cx, cy], inverse[1]);
+    let edges = base.min(right).min(left);
+
+    let inside_right = ex.mul(y).sub(cy.mul(qx));
+    let inside_left = cy.mul(x).sub(cx.mul(y));
+    let inside = y.min(inside_right).min(inside_left);
+    let planar = edges.zero_where_positive(inside);
+    planar.add(z.mul(z)).sqrt()
 }
 
 #[inline(always)]

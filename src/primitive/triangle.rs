@@ -50,6 +50,11 @@ impl V3<f64> {
         V3(v.to_array())
     }
 
+    #[inline(always)]
+    fn splat<L: Lanes>(&self) -> V3<L> {
+        V3([L::splat(self.0[0]), L::splat(self.0[1]), L::splat(self.0[2])])
+    }
+
     pub(crate) fn to_vec(self) -> Vec3 {
         Vec3::from_array(self.0)
     }
@@ -104,6 +109,20 @@ fn inverse<L: Lanes>(edge: V3<L>) -> L {
 }
 
 impl Prepared<f64> {
+    /// The same in all lanes.
+    #[inline(always)]
+    pub(crate) fn splat<L: Lanes>(&self) -> Prepared<L> {
+        let [a, b, c] = &self.corner;
+        let [u, v, w] = &self.inward;
+        let [x, y, z] = self.inverse;
+        Prepared {
+            corner: [a.splat(), b.splat(), c.splat()],
+            normal: self.normal.splat(),
+            inward: [u.splat(), v.splat(), w.splat()],
+            inverse: [L::splat(x), L::splat(y), L::splat(z)],
+        }
+    }
+
     pub(crate) fn new(corners: [Vec3; 3]) -> Prepared<f64> {
         Prepared::of(corners.map(V3::from_vec), V3::from_vec(normal(corners)))
     }

@@ -4,9 +4,12 @@
 
 mod band;
 mod build;
+mod cells;
 mod check;
 mod columns;
 mod crossings;
+mod cube;
+mod few;
 mod nearest;
 mod normals;
 mod refit;
@@ -16,6 +19,7 @@ mod sign;
 mod tile;
 
 pub(crate) use band::{BandSlab, BandWork};
+pub(super) use cells::Cells;
 pub(crate) use crossings::Hit;
 pub(crate) use nearest::Nearest;
 use sides::Sides;
@@ -235,6 +239,7 @@ impl Surface {
         }
     }
 
+    #[inline(always)]
     fn corners(&self, triangle: u32) -> [Vec3; 3] {
         self.triangles.vertex[triangle as usize].map(|v| self.vertices[v as usize])
     }

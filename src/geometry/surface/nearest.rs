@@ -33,12 +33,7 @@ pub(crate) struct Nearest {
 #[derive(Clone, Copy)]
 pub(super) struct Best {
     foot: Foot<f64>,
-    triangle: u32,
-}
-
-impl Nearest {
-    pub(super) const NONE: Nearest =
-        Nearest { distance: f64::INFINITY, triangle: 0, feature: 0, along: 0.0, point: Vec3::ZERO };
+    pub(super) triangle: u32,
 }
 
 impl Best {
@@ -46,7 +41,7 @@ impl Best {
         Best { foot: Foot { squared: f64::INFINITY, feature: 0.0, along: 0.0 }, triangle: NO_TRIANGLE };
 
     #[inline(always)]
-    fn offer(&mut self, foot: Foot<f64>, triangle: u32) {
+    pub(super) fn offer(&mut self, foot: Foot<f64>, triangle: u32) {
         let squared = self.foot.squared;
         if foot.squared < squared || (foot.squared == squared && triangle < self.triangle) {
             *self = Best { foot, triangle };
@@ -259,6 +254,8 @@ impl<'a> Waiting<'a> {
 
     #[inline(always)]
     fn push(&mut self, triangle: u32, lower: f32) {
+        prefetch(&self.surface.triangles.vertex[triangle as usize]);
+        prefetch(&self.surface.normals[triangle as usize]);
         let slot = self.count & (WAITING - 1);
         (self.lower[slot], self.triangles[slot]) = (lower, triangle);
         self.count += 1;
@@ -300,6 +297,11 @@ impl<'a> Waiting<'a> {
 
     #[inline(always)]
     fn ask_kernel(&mut self) {
+        for &triangle in &self.triangles[..self.count] {
+            for &v in &self.surface.triangles.vertex[triangle as usize] {
+                prefetch(&self.surface.vertices[v as usize]);
+            }
+        }
         for some in self.triangles[..self.count].chunks(WIDTH) {
             self.best.ask(self.surface, self.p, some);
         }
@@ -336,6 +338,11 @@ impl<S: Simd> LeafDistance<S> for Candidates<'_> {
     fn visit(&mut self, simd: S, leaf: usize, at: [f32; 3], slack: f32) -> f32 {
         let leaf = &self.waiting.surface.leaves[leaf];
         self.waiting.look(simd, leaf, at, slack)
+    }
+
+    #[inline(always)]
+    fn fetch(&self, leaf: usize) {
+        prefetch(&self.waiting.surface.leaves[leaf]);
     }
 
     #[inline(always)]
@@ -383,16 +390,24 @@ impl Surface {
         }
     }
 
-    fn prepared(&self, triangle: u32) -> Prepared<f64> {
-        Prepared::of(self.corners(triangle).map(V3::from_vec), V3::from_vec(self.normal(triangle)))
+    /// A triangle for the kernel.
+    #[inline(always)]
+    pub(super) fn prepared(&self, triangle: u32) -> Prepared<f64> {
+        let [a, b, c] = self.corners(triangle);
+        let normal = self.normals[triangle as usize];
+        let corners = [V3([a.x, a.y, a.z]), V3([b.x, b.y, b.z]), V3([c.x, c.y, c.z])];
+        Prepared::of(corners, V3([normal.x, normal.y, normal.z]))
+    }
+
+    /// The nearest point of a triangle.
+    pub(super) fn nearest_of(&self, triangle: u32, p: Vec3) -> Vec3 {
+        triangle::point(self.corners(triangle), self.normal(triangle), p, &self.foot(triangle, p))
     }
 
     /// The kernel's answer for one triangle.
     #[inline(always)]
     fn foot(&self, triangle: u32, p: Vec3) -> Foot<f64> {
-        let corners = self.corners(triangle).map(|c| V3([c.x, c.y, c.z]));
-        let normal = self.normals[triangle as usize];
-        triangle::nearest(&Prepared::of(corners, V3([normal.x, normal.y, normal.z])), V3([p.x, p.y, p.z]))
+        triangle::nearest(&self.prepared(triangle), V3([p.x, p.y, p.z]))
     }
 
     /// The same for up to N; the lanes left over repeat the first.

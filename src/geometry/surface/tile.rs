@@ -4,27 +4,23 @@
 //! single points to the bit.
 
 use super::columns::Columns;
+use super::cube::{self, SIDE};
+use super::few::{Cell, FIRST, Few};
 use super::nearest::Waiting;
-use super::{Leaf, NO_TRIANGLE, Nearest, Surface};
-use crate::bvh::{Corners, Eight, LeafList, Tree, WITNESSES};
-use crate::error::{Error, Result};
+use super::{Nearest, Surface};
+use crate::bvh::{LeafList, Tree};
+use crate::error::Result;
 use crate::math::Vec3;
-use crate::primitive::estimate::Estimates;
-use crate::simd::float8::{Float8, Simd, slack};
+use crate::simd::float8::{Simd, slack};
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
 use std::ops::Range;
 
-/// Points a side of the larger and of the smaller cubes.
+/// Points a side of the larger cubes.
 const LARGE: usize = 8;
-const SMALL: usize = 4;
 
-/// With more leaves or triangles than these for a cube, its points ask the hierarchy one by one.
-const MOST_LEAVES: usize = 192;
-const MOST_TRIANGLES: usize = 256;
-
-/// From farther than this, in sizes of the surface, f32 tells nothing apart.
-const FARTHEST: f64 = 1e4;
+/// With more leaves than these for a cube, its points ask the hierarchy one by one.
+const MOST_LEAVES: usize = 512;
 
 /// A block of a lattice, and what is to be known there.
 #[derive(Clone, Copy)]
@@ -55,6 +51,14 @@ impl Cube {
         std::array::from_fn(|k| std::array::from_fn(|axis| end(&self.0[axis], k >> axis & 1 == 1)))
     }
 
+    fn first(&self) -> [usize; 3] {
+        self.0.each_ref().map(|range| range.start)
+    }
+
+    fn last(&self) -> [usize; 3] {
+        self.0.each_ref().map(|range| range.end - 1)
+    }
+
     fn points(&self) -> impl Iterator<Item = [usize; 3]> + '_ {
         let [x, y, z] = &self.0;
         z.clone().flat_map(move |k| y.clone().flat_map(move |j| x.clone().map(move |i| [i, j, k])))
@@ -80,10 +84,9 @@ impl Cube {
 struct Scratch {
     stack: Vec<u32>,
     large: LeafList,
-    small: LeafList,
     distances: Vec<f32>,
-    triangles: Vec<Leaf>,
-    count: usize,
+    few: Few,
+    points: cube::Cube,
 }
 
 impl Surface {
@@ -160,175 +163,128 @@ impl Kernel for Work<'_, '_> {
     #[inline(always)]
     fn run<S: Simd>(mut self, simd: S) -> Result<()> {
         let Work { surface, tree, block, cube, .. } = self;
-        let at = cube.corners();
-        let is_near = |c: [usize; 3]| tree.place(block.point(c)).abs().max_element() < FARTHEST;
-        let nearest = at.map(|c| surface.nearest(block.point(c)));
-        let corners = corners(surface, tree, at.map(|c| block.point(c)), &nearest);
-        let Scratch { stack, large, .. } = self.scratch;
-        if !(at.into_iter().all(is_near) && tree.surviving_leaves(simd, &corners, MOST_LEAVES, stack, large)?) {
+        let cell = Cell::new(tree, block.point(cube.first()), block.point(cube.last()));
+        if !cell.is_near() {
             return surface.one_by_one(block, cube, self.columns, self.out);
         }
-        for small in cube.cut(SMALL) {
-            self.small(simd, &small)?;
+        let nearest = cell.corners.map(|c| surface.nearest(c));
+        let corners = cell.with(surface, tree, chosen(&nearest));
+        let Scratch { stack, large, .. } = self.scratch;
+        if !tree.surviving_leaves(simd, &corners, MOST_LEAVES, stack, large)? || large.len() == 0 {
+            return surface.one_by_one(block, cube, self.columns, self.out);
+        }
+        for small in cube.cut(SIDE) {
+            self.small(simd, &small, &nearest)?;
         }
         Ok(())
-    }
-}
-
-/// A point's question: of the few triangles of its small cube, or of the leaves of the large one.
-struct Ask<'w, 'a, 'b> {
-    work: &'w mut Work<'a, 'b>,
-    p: Vec3,
-    of_few: bool,
-}
-
-impl Kernel for Ask<'_, '_, '_> {
-    type Output = Result<Nearest>;
-
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> Result<Nearest> {
-        if self.of_few { self.work.by_triangles(simd, self.p) } else { self.work.by_leaves(simd, self.p) }
-    }
-}
-
-impl<S: Simd> Eight<S> for Leaf {
-    #[inline(always)]
-    fn at_least(&self, simd: S, at: [f32; 3], slack: f32) -> S::Float {
-        let [lower, _] = self.estimates.between(simd, at, slack);
-        lower
     }
 }
 
 impl Work<'_, '_> {
     #[inline(always)]
-    fn small<S: Simd>(&mut self, simd: S, cube: &Cube) -> Result<()> {
+    fn small<S: Simd>(&mut self, simd: S, cube: &Cube, near: &[Nearest; WIDTH]) -> Result<()> {
         let Work { surface, tree, block, .. } = *self;
-        let at = cube.corners();
-        let mut nearest = [Nearest::NONE; WIDTH];
-        for (k, c) in at.into_iter().enumerate() {
-            // Where the cube is a point thin, corners are one.
-            nearest[k] = match at[..k].iter().position(|other| *other == c) {
-                Some(same) => nearest[same],
-                None => simd.apart(Ask { work: self, p: block.point(c), of_few: false })?,
-            };
-            self.out[block.place(c)] = self.columns.signed(c, block.point(c), &nearest[k])?;
+        let cell = Cell::new(tree, block.point(cube.first()), block.point(cube.last()));
+        let nearest = simd.apart(Middle { surface, tree, scratch: self.scratch, p: cell.middle() })?;
+        let Scratch { large, few, points, .. } = self.scratch;
+        if !simd.apart(Find { surface, tree, large, few, cell: &cell, nearest: &nearest, near })? {
+            return surface.one_by_one(block, cube, self.columns, self.out);
         }
-        let corners = corners(surface, tree, at.map(|c| block.point(c)), &nearest);
-        let Scratch { large, small, .. } = self.scratch;
-        small.sift(simd, large, &corners)?;
-        let of_few = self.gather(simd, &corners)?;
-        for point in cube.points().filter(|point| !at.contains(point)) {
-            let p = block.point(point);
-            let nearest = simd.apart(Ask { work: self, p, of_few })?;
-            self.out[block.place(point)] = self.columns.signed(point, p, &nearest)?;
+        let axes = [0, 1, 2].map(|axis| &block.axes[axis][cube.0[axis].clone()]);
+        simd.apart(Points { surface, tree, few, points, axes })?;
+        let from = cube.first();
+        for at in cube.points() {
+            let p = block.point(at);
+            let nearest = points.nearest(surface, p, [at[0] - from[0], at[1] - from[1], at[2] - from[2]]);
+            self.out[block.place(at)] = self.columns.signed(at, p, &nearest)?;
         }
         Ok(())
     }
+}
 
-    /// The nearest triangle of all leaves of the large cube.
+/// The nearest triangle, of the leaves of the large cube, to the middle of a small one.
+struct Middle<'a> {
+    surface: &'a Surface,
+    tree: &'a Tree,
+    scratch: &'a mut Scratch,
+    p: Vec3,
+}
+
+impl Kernel for Middle<'_> {
+    type Output = Result<Nearest>;
+
     #[inline(always)]
-    fn by_leaves<S: Simd>(&mut self, simd: S, p: Vec3) -> Result<Nearest> {
-        let Scratch { large, distances, .. } = self.scratch;
-        if large.len() == 0 {
-            return Ok(self.surface.nearest(p));
-        }
-        let placed = self.tree.place(p);
+    fn run<S: Simd>(self, simd: S) -> Result<Nearest> {
+        let Middle { surface, tree, scratch, p } = self;
+        let Scratch { large, distances, .. } = scratch;
+        let placed = tree.place(p);
         let at = [placed.x as f32, placed.y as f32, placed.z as f32];
         let slack = slack(placed.abs().max_element());
         large.distances(simd, at, slack, distances)?;
         let first = (0..large.len()).fold(0, |best, k| if distances[k] < distances[best] { k } else { best });
-        let mut waiting = Waiting::new(self.surface, p);
-        let mut limit = waiting.look(simd, &self.surface.leaves[large.leaf(first)], at, slack);
+        let mut waiting = Waiting::new(surface, p);
+        let mut limit = waiting.look(simd, &surface.leaves[large.leaf(first)], at, slack);
         for k in 0..large.len() {
             let is_far = distances[k] > limit;
             if k != first && !is_far {
-                limit = waiting.look(simd, &self.surface.leaves[large.leaf(k)], at, slack);
+                limit = waiting.look(simd, &surface.leaves[large.leaf(k)], at, slack);
             }
         }
         waiting.settle_all(simd);
         Ok(waiting.nearest())
     }
+}
 
-    /// Lays the triangles that may be nearest in the small cube side by side; false where there are too many.
-    #[inline(always)]
-    fn gather<S: Simd>(&mut self, simd: S, corners: &Corners) -> Result<bool> {
-        let Scratch { small, triangles, count, .. } = self.scratch;
-        triangles.clear();
-        *count = 0;
-        for k in 0..small.len() {
-            let leaf = &self.surface.leaves[small.leaf(k)];
-            let mut bits = corners.survivors(simd, leaf);
-            while bits != 0 {
-                let from = bits.trailing_zeros() as usize & (WIDTH - 1);
-                bits &= bits - 1;
-                if leaf.triangle[from] == NO_TRIANGLE {
-                    continue;
-                }
-                let to = *count % WIDTH;
-                if to == 0 {
-                    triangles.try_reserve(1).map_err(|_| Error::memory("leaves", triangles.len() + 1))?;
-                    triangles.push(Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] });
-                }
-                if let Some(last) = triangles.last_mut() {
-                    last.estimates.copy(to, &leaf.estimates, from);
-                    last.triangle[to] = leaf.triangle[from];
-                }
-                *count += 1;
-            }
-            if *count > MOST_TRIANGLES {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
+/// [`Few::find`].
+struct Find<'a> {
+    surface: &'a Surface,
+    tree: &'a Tree,
+    large: &'a LeafList,
+    few: &'a mut Few,
+    cell: &'a Cell,
+    nearest: &'a Nearest,
+    near: &'a [Nearest; WIDTH],
+}
 
-    /// The nearest of the triangles laid side by side.
+impl Kernel for Find<'_> {
+    type Output = Result<bool>;
+
     #[inline(always)]
-    fn by_triangles<S: Simd>(&mut self, simd: S, p: Vec3) -> Result<Nearest> {
-        let Scratch { triangles, distances, .. } = self.scratch;
-        let placed = self.tree.place(p);
-        let at = [placed.x as f32, placed.y as f32, placed.z as f32];
-        let slack = slack(placed.abs().max_element());
-        distances.clear();
-        distances.try_reserve(WIDTH * triangles.len()).map_err(|_| Error::memory("leaves", triangles.len()))?;
-        let mut least = S::Float::splat(simd, f32::INFINITY);
-        for leaf in triangles.iter() {
-            let [lower, upper] = leaf.estimates.between(simd, at, slack);
-            least = upper.min(least);
-            distances.extend_from_slice(&lower.lanes());
-        }
-        let limit = least.least();
-        let mut waiting = Waiting::new(self.surface, p);
-        for (leaf, lower) in triangles.iter().zip(distances.as_chunks::<WIDTH>().0) {
-            let mut near = S::Float::load(simd, lower).not_above(limit);
-            while near != 0 {
-                let k = near.trailing_zeros() as usize & (WIDTH - 1);
-                near &= near - 1;
-                if leaf.triangle[k] != NO_TRIANGLE {
-                    waiting.add(simd, leaf.triangle[k], lower[k]);
-                }
-            }
-        }
-        waiting.settle(simd);
-        Ok(waiting.nearest())
+    fn run<S: Simd>(self, simd: S) -> Result<bool> {
+        let Find { surface, tree, large, few, cell, nearest, near } = self;
+        few.find(simd, (surface, tree), large, cell, nearest, chosen(near))
     }
 }
 
-/// The corners of a cube with, as witnesses, their nearest points.
-#[inline(always)]
-fn corners(surface: &Surface, tree: &Tree, at: [Vec3; WIDTH], nearest: &[Nearest; WIDTH]) -> Corners {
+/// [`cube::Cube::find`].
+struct Points<'a> {
+    surface: &'a Surface,
+    tree: &'a Tree,
+    few: &'a Few,
+    points: &'a mut cube::Cube,
+    axes: [&'a [f64]; 3],
+}
+
+impl Kernel for Points<'_> {
+    type Output = Result<()>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Result<()> {
+        let Points { surface, tree, few, points, axes } = self;
+        points.find(simd, (surface, tree), few, axes)
+    }
+}
+
+/// Witnesses of a cube: nearest points of its corners.
+fn chosen(nearest: &[Nearest; WIDTH]) -> [Vec3; FIRST] {
     // Opposite corners first; as long as there are others, none on a triangle that another is on.
-    let mut chosen = [0; WITNESSES];
+    let mut chosen = [0; FIRST];
     let mut count = 1;
     for k in [7, 3, 4, 5, 2, 6, 1] {
-        if count < WITNESSES && chosen[..count].iter().all(|c: &usize| nearest[*c].triangle != nearest[k].triangle) {
+        if count < FIRST && chosen[..count].iter().all(|c: &usize| nearest[*c].triangle != nearest[k].triangle) {
             chosen[count] = k;
             count += 1;
         }
     }
-    let witnesses = chosen.map(|k| tree.place(nearest[k].point));
-    // Nearest points are rounded to their coordinates, which are large where the surface is far from the origin.
-    let largest = at.iter().fold(surface.reach(), |most, c| most.max(c.abs().max_element()));
-    let error = f64::from(tree.scaled(16.0 * f64::EPSILON * largest));
-    Corners::new(at.map(|c| tree.place(c)), witnesses, error)
+    chosen.map(|k| nearest[k].point)
 }
