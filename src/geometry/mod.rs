@@ -3,10 +3,12 @@
 //! knows its bounds, its Lipschitz constant and whether its value is exact.
 
 mod blend;
+mod block;
 mod build;
 mod classify;
 mod closest;
 pub(crate) mod contacts;
+mod cut;
 mod fingerprint;
 mod level;
 mod linear;
@@ -14,6 +16,7 @@ mod map;
 mod node;
 mod parts;
 mod placement;
+mod points;
 mod properties;
 mod repeat;
 mod scanned;
@@ -30,6 +33,7 @@ mod value;
 
 pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
+pub(crate) use cut::Cut;
 pub use properties::{
     Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod,
 };
