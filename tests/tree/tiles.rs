@@ -6,6 +6,7 @@ use super::trees::{each, places};
 use super::{direction, placed, same, vector};
 use crate::common::bodies;
 use crate::common::random::Random;
+use embound::Status;
 use embound::geometry::{Accelerator, Blend, Geometry, Kind, SdfOptions};
 use embound::math::Vec3;
 use embound::parallel::{Pool, Run};
@@ -162,6 +163,29 @@ fn microns_kilometres_and_places_far_away() {
             cube(&g, 17, Vec3::ZERO, 2.0 * size);
             cube(&g, 16, Vec3::ZERO, 1e-3 * size);
         }
+    }
+}
+
+#[test]
+fn progress_is_told_and_stops_a_fill() {
+    let ball = Geometry::sphere([0.0; 3], 0.5).unwrap();
+    let g = ball.difference(&Geometry::cuboid([0.0; 3], [1.0; 3]).unwrap()).unwrap();
+    let axis = axis(64, -1.0, 1.0);
+    let lattice = Lattice::new(&axis, &axis, &axis).unwrap();
+    for mode in [FillMode::Exact, FillMode::Band(0.1)] {
+        let told = Mutex::new(Vec::new());
+        let note = |done: f64| {
+            told.lock().unwrap().push(done);
+            false
+        };
+        filled(&g, &lattice, mode, &Run { pool: None, progress: Some(&note) });
+        let told = told.into_inner().unwrap();
+        assert!(told.len() > 2 && told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
+        let stopped = Run { pool: None, progress: Some(&|done| done > 0.25) };
+        let points = Mutex::new(0);
+        let result = query::fill(&g, &lattice, mode, &stopped, &|_, values| *points.lock().unwrap() += values.len());
+        assert_eq!(result.unwrap_err().status(), Status::Cancelled);
+        assert!((1..64 * 64 * 64 / 2).contains(&*points.lock().unwrap()));
     }
 }
 
