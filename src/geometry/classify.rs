@@ -55,6 +55,16 @@ impl Geometry {
         (0..3).any(|k| b.lo[k] - bounds.hi[k] > margin || bounds.lo[k] - b.hi[k] > margin)
     }
 
+    /// From the bounds alone, of what has a value everywhere.
+    pub(super) fn range_from_bounds(&self, b: Aabb) -> Interval {
+        let s = self.summary();
+        match (self.is_apart(s.bounds, b), self.is_apart(s.rest, b)) {
+            (true, _) => POSITIVE,
+            (_, true) => NEGATIVE,
+            _ => Interval::ALL,
+        }
+    }
+
     /// Numbers between which the value lies at every double of a finite box, as computed.
     pub(super) fn range(&self, b: Aabb) -> Interval {
         if b.lo == b.hi {
@@ -128,6 +138,6 @@ impl Geometry {
 }
 
 /// Multiplication by a positive factor is monotone, rounding included; what underflows may be zero.
-fn scaled(range: Interval, factor: f64) -> Interval {
+pub(super) fn scaled(range: Interval, factor: f64) -> Interval {
     Interval::new(range.lo * factor, range.hi * factor)
 }

@@ -3,11 +3,13 @@
 //! knows its bounds, its Lipschitz constant and whether its value is exact.
 
 mod blend;
+mod block;
 mod build;
 mod classify;
 mod closest;
 pub(crate) mod contacts;
 mod cursor;
+mod cut;
 mod fingerprint;
 mod level;
 mod linear;
@@ -15,6 +17,7 @@ mod map;
 mod node;
 mod parts;
 mod placement;
+mod points;
 mod properties;
 mod repeat;
 mod scanned;
@@ -32,6 +35,7 @@ mod value;
 pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
 pub use cursor::Cursor;
+pub(crate) use cut::Cut;
 pub use properties::{
     Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod,
 };

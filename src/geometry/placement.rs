@@ -110,6 +110,11 @@ impl Placement {
         around(b, self.inverse * (1.0 / self.scale), self.shift, |c| self.to_body(c))
     }
 
+    /// The magnitude beyond which a value of the body is beyond `far` in space.
+    pub(super) fn before(self, far: f64) -> f64 {
+        (far / self.scale).next_up()
+    }
+
     pub(super) fn shift(self) -> Vec3 {
         self.shift
     }

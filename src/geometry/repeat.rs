@@ -6,7 +6,7 @@ use super::Geometry;
 use super::classify::POSITIVE;
 use super::parts::Found;
 use super::properties::Kind;
-use super::summary::{ROOT_OF_THREE, Summary, grown};
+use super::summary::{ROOT_OF_THREE, Summary, extent, grown};
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Interval, Vec3, length};
 
@@ -175,6 +175,18 @@ impl Repeat {
             }
         }
         Some(shifts)
+    }
+
+    /// Shifts of the copies, in order, whose value may be `highest` or less somewhere in a finite box; none where they
+    /// are more than `most`, or where there is no telling.
+    pub(super) fn near_box(&self, b: Aabb, highest: f64, most: u64) -> Option<Vec<Vec3>> {
+        if !self.is_bounded() || !highest.is_finite() {
+            return None;
+        }
+        let s = self.child.summary();
+        let margin = s.error(extent(b) + self.farthest()) + 64.0 * f64::EPSILON * (extent(b) + self.farthest());
+        let reach = (highest.max(0.0) + margin) * s.spread * (1.0 + 1e-9) + margin;
+        self.meeting(grown(b, Vec3::splat(reach)), most)
     }
 
     pub(super) fn range(&self, b: Aabb) -> Interval {

@@ -59,6 +59,35 @@ impl Smooth {
         self.fold(&self.blended(p), |_, a, b, _| self.blend.value(a, b))
     }
 
+    /// The value where these are the values of all parts that may count, in their order.
+    pub(super) fn of(&self, found: &mut Vec<Found>) -> f64 {
+        let mut least = f64::INFINITY;
+        for next in found.iter() {
+            if next.value.is_nan() {
+                return next.value;
+            }
+            least = if next.value < least { next.value } else { least };
+        }
+        let end = least + self.blend.support();
+        found.retain(|f| f.value < end);
+        // What is too large for the support to count stands alone.
+        if found.len() < 2 || !least.is_finite() {
+            return least;
+        }
+        self.in_order(found)
+    }
+
+    /// The blend of all that count.
+    fn in_order(&self, found: &mut [Found]) -> f64 {
+        found.sort_unstable_by(|a, b| a.value.total_cmp(&b.value).then(a.part.cmp(&b.part)));
+        self.fold(found, |_, a, b, _| self.blend.value(a, b))
+    }
+
+    /// The values, where the least of all parts has these.
+    pub(super) fn below(&self, least: Interval) -> Interval {
+        Interval::new((least.lo - self.depth).next_down(), least.hi)
+    }
+
     /// With the labels of the part of least value.
     #[inline(never)]
     pub(super) fn closest(&self, p: Vec3) -> Closest {
@@ -81,8 +110,7 @@ impl Smooth {
     }
 
     pub(super) fn range(&self, b: Aabb) -> Interval {
-        let least = self.parts.range(b, self.depth * (1.0 + 1e-9));
-        Interval::new((least.lo - self.depth).next_down(), least.hi)
+        self.below(self.parts.range(b, self.depth * (1.0 + 1e-9)))
     }
 
     /// Of the node over parts of whose union `s` is known.

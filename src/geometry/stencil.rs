@@ -58,6 +58,16 @@ impl Stencil {
         self.samples.iter().map(|(d, weight)| weight * g.raw_value(p + *d)).sum()
     }
 
+    /// The sums that [`Stencil::value`] takes, side by side: `add` adds the child's values, displaced and weighed.
+    pub(super) fn values(
+        &self,
+        sums: &mut [f64],
+        mut add: impl FnMut(Vec3, f64, &mut [f64]) -> Result<()>,
+    ) -> Result<()> {
+        sums.fill(std::iter::empty::<f64>().sum());
+        self.samples.iter().try_for_each(|(d, weight)| add(*d, *weight, sums))
+    }
+
     /// Value and gradient, and what is known of the child at the point itself. Each sample is asked once: asked
     /// twice, means of means would take twice as long with each level.
     pub(super) fn closest(&self, g: &Geometry, p: Vec3) -> (f64, Vec3, Closest) {
@@ -75,7 +85,16 @@ impl Stencil {
 
     /// The values of a box: those of the child around it, and the rounding of the sum.
     pub(super) fn range(&self, g: &Geometry, b: Aabb) -> Interval {
-        let f = g.range(grown(b, Vec3::splat(self.reach)));
+        self.range_of(g.range(self.around(b)))
+    }
+
+    /// Around all samples of a box.
+    pub(super) fn around(&self, b: Aabb) -> Aabb {
+        grown(b, Vec3::splat(self.reach))
+    }
+
+    /// The values of a box, from the child's around it.
+    pub(super) fn range_of(&self, f: Interval) -> Interval {
         let rounding = 2.0 * f64::EPSILON * (self.samples.len() + 4) as f64;
         let widen = |x: f64| if x.is_finite() { x.abs() * rounding } else { 0.0 };
         Interval::new(f.lo - widen(f.lo).max(widen(f.hi)), f.hi + widen(f.lo).max(widen(f.hi)))

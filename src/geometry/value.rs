@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The value at a point, or at many. It depends on the point and the geometry alone.
 
-use super::Geometry;
 use super::node::Node;
 use super::shape::Shape;
 use super::surface::Block;
+use super::{Cut, Geometry};
 use crate::error::Result;
 use crate::math::{Vec3, positive_zero};
 
@@ -13,6 +13,9 @@ pub(super) const DEEPEST_BLOCK: usize = 32;
 
 /// Unions of more parts than this are asked for point by point.
 const MOST_BLOCK_PARTS: usize = 16;
+
+/// Trees of more shapes than this are asked point by point: their hierarchies leave most of them out.
+const MOST_AT_ONCE: u64 = 32;
 
 impl Geometry {
     /// The value at a point; NaN where a coordinate is not finite or a user's function failed. Never
@@ -24,8 +27,12 @@ impl Geometry {
     /// The values at many points: the bits of [`Geometry::value`]. A user's function that takes many points
     /// at once is handed them together.
     pub(crate) fn values(&self, points: &[Vec3], out: &mut [f64]) {
-        if self.summary().batched && points.iter().all(|p| p.is_finite()) {
-            self.raw_values(points, out);
+        let s = self.summary();
+        let is_small = !s.batched && (2..=MOST_AT_ONCE).contains(&s.primitives) && Cut::suits(self);
+        if (s.batched || is_small) && points.len() > 1 && points.iter().all(|p| p.is_finite()) {
+            if !is_small || Cut::whole(self).scattered_values(points, out).is_err() {
+                self.raw_values(points, out);
+            }
             out.iter_mut().for_each(|value| *value = positive_zero(*value));
         } else {
             points.iter().zip(out).for_each(|(p, value)| *value = self.value(*p));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Values at the points of a lattice: the node values of a level set.
 
-use super::{CHUNK, Lattice, check, in_blocks, scanned_band, scanned_signs, sides, suited};
+use super::{CHUNK, Lattice, check, in_blocks, scanned_band, scanned_signs, sides, suited, tiles};
 use crate::error::{Error, Result};
-use crate::geometry::{Geometry, Kind};
+use crate::geometry::{Cut, Geometry, Kind};
 use crate::math::Vec3;
 use crate::parallel::Run;
 
@@ -65,6 +65,9 @@ pub fn fill(
         && scanned_band::values(g, &scanned, lattice, band, run, emit)?
     {
         return Ok(());
+    }
+    if !g.has_blocks() && Cut::suits(g) {
+        return tiles::fill(g, lattice, mode, run, emit);
     }
     one_by_one(g, lattice, mode, run, emit)
 }

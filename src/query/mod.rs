@@ -19,6 +19,7 @@ mod scanned_band;
 mod scanned_crossings;
 mod scanned_signs;
 mod sides;
+mod tiles;
 mod values;
 
 pub use crate::geometry::Closest;

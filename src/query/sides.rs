@@ -18,7 +18,7 @@ const SMALL: usize = 4;
 /// A crossing is computed with an error that is small beside this part of a cube.
 const ROOM: f64 = 0.125;
 
-type Cube = [Range<usize>; 3];
+pub(super) type Cube = [Range<usize>; 3];
 
 /// Whether cubes may be left out: every value of a user's function has to be asked for.
 pub(super) fn are_known(g: &Geometry) -> bool {
@@ -136,7 +136,7 @@ fn descend(cube: &Cube, side: &dyn Fn(&Cube) -> i32, work: &mut dyn FnMut(&Cube,
 }
 
 /// Around the points of a cube; around its edges along an axis, with room for the rounding of crossings.
-fn around(lattice: &Lattice, cube: &Cube, edges: Option<usize>) -> Aabb {
+pub(super) fn around(lattice: &Lattice, cube: &Cube, edges: Option<usize>) -> Aabb {
     let mut b = Aabb::EMPTY;
     for k in 0..3 {
         let (first, last) = (cube[k].start, cube[k].end - 1 + usize::from(edges == Some(k)));

@@ -19,6 +19,7 @@ mod promises;
 mod repeats;
 mod scenes;
 mod segments;
+mod tiles;
 mod transforms;
 mod trees;
 

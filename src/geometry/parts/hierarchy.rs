@@ -121,6 +121,19 @@ impl Hierarchy {
         }
     }
 
+    /// The same until `visit` says that it has seen enough; whether it did.
+    pub(super) fn any_meeting(&self, b: Aabb, mut visit: impl FnMut(usize) -> bool) -> bool {
+        if self.beside.iter().any(|&k| visit(k as usize)) {
+            return true;
+        }
+        if let Some((tree, blocks)) = &self.spheres
+            && tree.any_overlapping(b, |leaf| blocks[leaf].parts().any(|k| visit(k as usize)))
+        {
+            return true;
+        }
+        self.others.as_ref().is_some_and(|(tree, parts)| tree.any_overlapping(b, |leaf| visit(parts[leaf] as usize)))
+    }
+
     pub(super) fn bytes(&self) -> usize {
         let spheres = self.spheres.as_ref().map_or(0, |(tree, blocks)| tree.bytes() + size_of_val(&blocks[..]));
         let others = self.others.as_ref().map_or(0, |(tree, parts)| tree.bytes() + size_of_val(&parts[..]));

@@ -12,7 +12,7 @@ pub(super) use search::Found;
 
 use super::Geometry;
 use super::classify::LEAST;
-use super::summary::grown;
+use super::summary::{ROOT_OF_THREE, extent, grown};
 use crate::error::Result;
 use crate::math::{Aabb, Interval, Vec3};
 use hierarchy::Hierarchy;
@@ -25,6 +25,18 @@ const DEEP: usize = 64;
 
 /// A box that meets more parts than this is taken as mixed.
 const MOST_IN_A_BOX: usize = 256;
+
+/// The parts near a box.
+pub(super) enum Near {
+    /// In order.
+    All(Vec<usize>),
+    /// More than were wanted.
+    Crowd,
+    Unknown,
+}
+
+/// Parts that are looked at for each that a search near a box may find.
+const LOOKED_AT: usize = 3;
 
 pub(super) struct Parts {
     list: Vec<Geometry>,
@@ -85,6 +97,48 @@ impl Parts {
         }
         found.sort_unstable();
         (found, looked_at)
+    }
+
+    /// Whether there is a hierarchy.
+    pub(super) fn is_ordered(&self) -> bool {
+        self.hierarchy.is_some()
+    }
+
+    /// The parts, in order, whose value (signs turned where all are) may come within `support` of the least of all
+    /// somewhere in a finite box and be below `far`.
+    pub(super) fn near_box(&self, b: Aabb, support: f64, far: f64, most: usize) -> Near {
+        let middle = self.least(b.center());
+        let (Some(hierarchy), Some(winner)) = (&self.hierarchy, self.list.get(middle.part)) else {
+            return Near::Unknown;
+        };
+        let range = winner.range_from_middle(b);
+        let highest = if self.turned { -range.lo } else { range.hi };
+        let reach = hierarchy.bound((highest + support).min(far), ROOT_OF_THREE * extent(b));
+        if !reach.is_finite() {
+            return Near::Unknown;
+        }
+        let near = grown(b, Vec3::splat(reach.max(0.0)));
+        let (mut found, mut looked_at) = (Vec::new(), 0);
+        let is_full = hierarchy.any_meeting(near, |part| {
+            looked_at += 1;
+            // What a crowd costs is fetching each one from memory.
+            if looked_at > LOOKED_AT * most {
+                return true;
+            }
+            if hierarchy.is_beside(part) || !self.bounds(part).intersection(near).is_empty() {
+                found.push(part);
+            }
+            found.len() > most
+        });
+        if is_full {
+            return Near::Crowd;
+        }
+        if found.is_empty() {
+            // All are beyond `far`: one of them says so.
+            found.push(middle.part);
+        }
+        found.sort_unstable();
+        Near::All(found)
     }
 
     /// The least value (signs turned where all are) over a finite box. What is `beyond` or more need not be

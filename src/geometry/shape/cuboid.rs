@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The axis-aligned box.
 
+use super::lanes::BoxValues;
 use super::support::numbers;
 use super::{Crossings, Facts, Shape};
 use crate::error::{Error, Result};
 use crate::geometry::build::finite;
+use crate::geometry::points::Points;
 use crate::math::{Aabb, Interval, Vec3};
 use crate::primitive::cuboid;
+use crate::simd::dispatch;
 
 pub(in crate::geometry) struct Cuboid(pub Aabb);
 
@@ -23,6 +26,10 @@ impl Cuboid {
 impl Shape for Cuboid {
     fn value(&self, p: Vec3) -> f64 {
         cuboid::value(self.0, p)
+    }
+
+    fn values(&self, points: Points, out: &mut [f64]) {
+        dispatch(BoxValues { b: self.0, points, out });
     }
 
     fn gradient(&self, p: Vec3) -> Vec3 {

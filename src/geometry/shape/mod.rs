@@ -8,6 +8,7 @@ mod expression;
 mod extruded;
 mod grid;
 mod height_field;
+mod lanes;
 mod outline;
 mod perlin;
 mod plane;
@@ -36,12 +37,18 @@ pub(super) use revolved::Revolved;
 pub(super) use rounded_box::RoundedBox;
 pub(super) use sphere::Sphere;
 
+use super::points::Points;
 use crate::math::{Aabb, Interval, Vec3};
 
 /// A leaf that knows its value, its gradient and the facts that the tree above it needs.
 pub(crate) trait Shape: Send + Sync {
     /// The value at a finite point: negative inside, positive outside. The same bits on every machine.
     fn value(&self, p: Vec3) -> f64;
+
+    /// The values at many finite points: the bits of [`Shape::value`].
+    fn values(&self, points: Points, out: &mut [f64]) {
+        points.iter().zip(out).for_each(|(p, value)| *value = self.value(p));
+    }
 
     /// The gradient of the value at a finite point: of length 1 where the shape is exact; never zero and
     /// never NaN (where there is none, that of either side).

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The ball.
 
+use super::lanes::BallValues;
 use super::support::{box_around, numbers};
 use super::{Crossings, Facts, Shape};
 use crate::error::Result;
 use crate::geometry::build::{finite, positive};
+use crate::geometry::points::Points;
 use crate::math::{Aabb, Interval, Vec3, length};
 use crate::primitive::sphere;
+use crate::simd::dispatch;
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geometry) struct Sphere {
@@ -24,6 +27,10 @@ impl Shape for Sphere {
     #[inline]
     fn value(&self, p: Vec3) -> f64 {
         sphere::value(self.center, self.radius, p)
+    }
+
+    fn values(&self, points: Points, out: &mut [f64]) {
+        dispatch(BallValues { ball: self, points, out });
     }
 
     fn gradient(&self, p: Vec3) -> Vec3 {
