@@ -14,6 +14,7 @@ mod scanned;
 mod sides;
 mod sign;
 mod tile;
+mod visits;
 
 pub(crate) use band::{BandSlab, BandWork};
 pub(crate) use crossings::Hit;
