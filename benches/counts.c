@@ -9,6 +9,7 @@
 #define BOXES 2000
 #define SIDE 32
 #define BALLS 1000
+#define CENTRES 50
 
 #if defined(__clang__)
 #define COUNTED __attribute__((noinline))
@@ -25,7 +26,7 @@ static soup body;
 static unsigned char *stl;
 static size_t stl_size;
 static emb_mesh *mesh, *read_again;
-static emb_geom *of_mesh, *compact, *balls, *tree, *made;
+static emb_geom *of_mesh, *compact, *sphere, *balls, *tree, *made;
 static emb_geom *ball[BALLS];
 static double uniform[3 * POINTS], near_by[3 * POINTS], answers[POINTS], moved[3 * SLICES * SLICES];
 static double edge_a[3 * EDGES], edge_b[3 * EDGES], box_lo[3 * BOXES], box_hi[3 * BOXES];
@@ -104,6 +105,11 @@ static void make_geometries(void) {
   CHECK_OK(emb_sdf_options_init(&options, sizeof options));
   options.accelerator = EMB_ACCELERATOR_COMPACT;
   CHECK_OK(emb_geom_from_mesh(mesh, &options, NULL, &compact));
+  {
+    soup round = soup_sphere(1.0, 60); /* 3,480 triangles */
+    sphere = soup_geometry(&round);
+    soup_free(&round);
+  }
   for (k = 0; k < BALLS; k++) {
     double center[3];
     center[0] = random_between(-1, 1), center[1] = random_between(-1, 1), center[2] = random_between(-1, 1);
@@ -129,6 +135,14 @@ static void one_by_one(const emb_geom *g, const double *points) {
   size_t k;
   for (k = 0; k < POINTS; k++) {
     answers[k] = emb_geom_value(g, points[3 * k], points[3 * k + 1], points[3 * k + 2]);
+  }
+}
+
+/* All triangles of a sphere are nearly as near to its centre: the worst case of a search. */
+static void value_centre(void) {
+  size_t k;
+  for (k = 0; k < CENTRES; k++) {
+    answers[k] = emb_geom_value(sphere, 1e-7 * uniform[3 * k], 1e-7 * uniform[3 * k + 1], 1e-7 * uniform[3 * k + 2]);
   }
 }
 
@@ -240,6 +254,7 @@ int main(void) {
   } operations[] = {
       {"value, uniform", "point", POINTS, value_uniform},
       {"value, near", "point", POINTS, value_near},
+      {"value, centre of a sphere", "point", CENTRES, value_centre},
       {"values in one call, uniform", "point", POINTS, values_uniform},
       {"values in one call, near", "point", POINTS, values_near},
       {"values in one call, uniform, compact", "point", POINTS, values_compact},
