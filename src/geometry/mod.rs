@@ -44,7 +44,7 @@ pub(crate) use segment::{Change, Event, NO_PART};
 pub use shape::ExpressionOptions;
 pub(crate) use surface::BandWork;
 
-use crate::math::Aabb;
+use crate::math::{Aabb, Vec3};
 use node::Node;
 use std::sync::Arc;
 use summary::Summary;
@@ -100,6 +100,16 @@ impl Geometry {
     pub fn has_functions(&self) -> bool {
         self.summary().functions
     }
+    /// Leaves of a mesh's hierarchy that the search for the triangle nearest to a point looks at, and leaves in all, for
+    /// benchmarks; None where there is no such search.
+    #[doc(hidden)]
+    pub fn leaves_visited(&self, p: Vec3) -> Option<(usize, usize)> {
+        match self.node() {
+            Node::Surface(surface) if p.is_finite() => surface.leaves_visited(p),
+            _ => None,
+        }
+    }
+
     /// Whether points that are near each other are best asked one after another: where there is more than a
     /// processor's second cache has room for. The user's functions are asked in the user's order.
     pub(crate) fn gains_by_order(&self) -> bool {

@@ -17,6 +17,7 @@ mod scanned;
 mod sides;
 mod sign;
 mod tile;
+mod visits;
 
 pub(crate) use band::{BandSlab, BandWork};
 pub(super) use cells::Cells;

@@ -52,6 +52,21 @@ pub fn fill(
     Ok(time)
 }
 
+/// Fills a lattice with signs as bytes, into memory that was touched before; seconds.
+pub fn fill_signs(g: &Geometry, axes: &[Vec<f64>; 3], run: &Run, out: &mut Vec<i8>) -> Result<f64, Box<dyn Error>> {
+    let [nx, ny, nz] = [0, 1, 2].map(|d| axes[d].len());
+    out.clear();
+    out.resize(nx * ny * nz, i8::MIN);
+    let rows: Vec<Mutex<&mut [i8]>> = out.chunks_mut(nx).map(Mutex::new).collect();
+    let lattice = Lattice::new(&axes[0], &axes[1], &axes[2])?;
+    let emit = |[i, j, k]: [usize; 3], signs: &[i8]| {
+        rows[j + ny * k].lock().expect("no panic")[i..i + signs.len()].copy_from_slice(signs);
+    };
+    let (time, result) = seconds(|| query::fill_signs(g, &lattice, run, &emit));
+    result?;
+    Ok(time)
+}
+
 /// What a fill of each mode is called, over a lattice of `n` points an axis; the band is two cells wide.
 pub fn modes(case: &Case, n: usize) -> [(&'static str, FillMode); 3] {
     let (lo, hi) = bounds(&case.vertices);
@@ -60,7 +75,12 @@ pub fn modes(case: &Case, n: usize) -> [(&'static str, FillMode); 3] {
 }
 
 /// What is to be written at the points of the sample, held against what was.
-pub fn judge(case: &Case, n: usize, mode: FillMode, values: &[f64]) -> Result<Verdict, Box<dyn Error>> {
+pub fn judge<T: Copy + Into<f64>>(
+    case: &Case,
+    n: usize,
+    mode: FillMode,
+    values: &[T],
+) -> Result<Verdict, Box<dyn Error>> {
     let path = |end: &str| case.directory.join(format!("lattice-{n}.{end}"));
     let at = numbers(&path("at.u32"), u32::from_le_bytes)?;
     let exact = numbers(&path("exact.f64"), f64::from_le_bytes)?;
@@ -69,13 +89,13 @@ pub fn judge(case: &Case, n: usize, mode: FillMode, values: &[f64]) -> Result<Ve
         FillMode::Sign => d.signum(),
         _ => d,
     };
-    let pairs = at.iter().zip(exact).map(|(at, d)| (values[*at as usize], wanted(d)));
+    let pairs = at.iter().zip(exact).map(|(at, d)| (values[*at as usize].into(), wanted(d)));
     // The magnitude of a sign says nothing about distances.
     let diagonal = if mode == FillMode::Sign { 1.0 } else { case.diagonal };
     Ok(Verdict::of(pairs, diagonal, true, crate::ask::TOLERANCE))
 }
 
-/// Fills in every mode, on one thread.
+/// Fills in every mode, and with signs as bytes, on one thread.
 pub fn fill_all(case: &Case, g: &Geometry, n: usize) -> Result<(), Box<dyn Error>> {
     let axes = axes(case, n);
     let mut out = Vec::new();
@@ -85,7 +105,16 @@ pub fn fill_all(case: &Case, g: &Geometry, n: usize) -> Result<(), Box<dyn Error
         let each = time * 1e9 / out.len() as f64;
         row(&case.name, &format!("fill {name} {n}"), "embound", each, "ns", Some(verdict));
     }
+    let mut signs = Vec::new();
+    let time = fill_signs(g, &axes, &Run::SERIAL, &mut signs)?;
+    let verdict = judge(case, n, FillMode::Sign, &signs)?;
+    row(&case.name, &signs_question(n), "embound", time * 1e9 / signs.len() as f64, "ns", Some(verdict));
     Ok(())
+}
+
+/// What a fill with signs as bytes is called.
+pub fn signs_question(n: usize) -> String {
+    format!("fill sign, i8 {n}")
 }
 
 /// Classifies the boxes of 32^3 cells of a lattice of 256^3 cells: those that the surface may meet, and those

@@ -81,7 +81,7 @@ fn write_sample(
     exact: &Geometry,
     run: &Run,
 ) -> Outcome {
-    let count = CHECKED.min(4_000_000_000 / case.triangles.len()).min(points);
+    let count = CHECKED.min(400_000_000 / case.triangles.len()).min(points);
     let at: Vec<usize> = (0..count).map(|k| (k * points + points / 2) / count).collect();
     let asked: Vec<[f64; 3]> = at.iter().map(|&i| point(i)).collect();
     let flat = asked.concat();

@@ -115,6 +115,7 @@ fn lattices(targets: &mut Vec<Target>, lines: &Lines, by_hand: &ByHand, case: &s
         ("exact", 192, "20x", "60x"),
         ("band", 192, "100x", "1,000x"),
         ("sign", 192, "100x", "1,000x"),
+        ("sign, i8", 192, "100x", "1,000x"),
     ];
     for (mode, n, at_least, aim) in fills {
         let Some(ours) = lines.ours(case, &format!("fill {mode} {n}")) else { continue };
@@ -122,7 +123,7 @@ fn lattices(targets: &mut Vec<Target>, lines: &Lines, by_hand: &ByHand, case: &s
         let peers = peers(lines, by_hand, case, SETS[2]);
         targets.push(beside(path, [at_least, aim], (ours, "ns a point"), &peers));
     }
-    let all = lines.ours(case, "fill sign 256").zip(lines.ours(case, "crossings 256"));
+    let all = lines.ours(case, "fill sign, i8 256").zip(lines.ours(case, "crossings 256"));
     let seconds = all.map(|(sign, edge)| (sign * 256f64.powi(3) + edge * 3.0 * 256.0 * 256.0 * 255.0) * 1e-9);
     targets.push(absolute(format!("{case}, signs and all crossings, 256^3"), "0.2 s", "40 ms", seconds, 0.2, "s"));
     let far = lines.ours(case, "classify far");
@@ -156,7 +157,7 @@ fn build(targets: &mut Vec<Target>, lines: &Lines, by_hand: &ByHand, case: &str)
     }
     let memory = lines.ours(case, "memory");
     targets.push(absolute(format!("{case}, memory"), "250 B", "100 B", memory, 250.0, "B a triangle"));
-    let found = lines.rows.keys().filter(|[c, question, _]| c == case && question.starts_with("two threads"));
+    let found = lines.rows.keys().filter(|[c, question, _]| c == case && question.starts_with("two threads, fill"));
     for [_, question, _] in found {
         let speedup = lines.ours(case, question);
         let (at_least, limit) = if question.contains("exact") { ("1.9x", 1.9) } else { ("1.4x", 1.4) };

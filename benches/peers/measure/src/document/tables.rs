@@ -55,13 +55,14 @@ fn names(names: &[&str]) -> Vec<String> {
 }
 
 fn random(lines: &Lines) -> String {
-    let mut columns = names(&["mesh", "set", "embound", "in one call", "closest, in one call"]);
+    let mut columns = names(&["mesh", "set", "embound", "in one call", "compact, in one call", "closest, in one call"]);
     columns.extend(lines.others().map(String::from));
     columns.extend(names(&["fastest peer", "ratio", "ratio in one call"]));
     let mut rows = Vec::new();
     for (case, triangles) in &lines.cases {
         for set in SETS {
-            let ours = ["embound", "embound-batch", "embound-closest"].map(|peer| lines.get(case, set, peer));
+            let ours = ["embound", "embound-batch", "embound-compact", "embound-closest"]
+                .map(|peer| lines.get(case, set, peer));
             let mut row = vec![format!("{case}, {triangles}"), set.to_string()];
             row.extend(ours.map(cell));
             row.extend(lines.others().map(|peer| cell(lines.get(case, set, peer))));
@@ -71,8 +72,9 @@ fn random(lines: &Lines) -> String {
             rows.push(row);
         }
     }
-    let note =
-        "An asterisk: answers were wrong, see the next table. One whose distances were wrong is not \"fastest\".\n\n";
+    let note = "An asterisk: answers were wrong, see the next table. One whose distances were wrong is not \"fastest\". \
+                Compact: `EMB_ACCELERATOR_COMPACT`, the same answers in less memory. Closest: with the point, the \
+                gradient, the triangle and its tag.\n\n";
     table("Distance at given points, ns a point", &columns, &rows) + note
 }
 
@@ -114,8 +116,10 @@ fn solver(lines: &Lines) -> String {
         }
     }
     let note = "Fills: ns a point of a lattice of that many points an axis over the box scaled 1.2, beside the fastest \
-                peer on the grid set. Crossings: ns an edge. Boxes of 32^3 cells of 256^3: far ones lie farther from \
-                the surface than their corners from their centre.\n\n";
+                peer on the grid set; the band is two cells wide, and signs are written as doubles or as bytes (i8). \
+                Crossings: ns an edge, of all edges along the three axes; intercepts: the crossed ones among them, asked \
+                for as segments. Boxes of 32^3 cells of 256^3: far ones lie farther from the surface than their corners \
+                from their centre. Two threads: how many times faster than one.\n\n";
     let columns = names(&["mesh", "question", "embound", "unit", "ratio to the fastest peer"]);
     let table = table("Lattices, boxes and edges", &columns, &rows);
     if table.is_empty() { table } else { table + note }
@@ -128,20 +132,42 @@ fn is_query(question: &str) -> bool {
 }
 
 fn building(lines: &Lines) -> String {
-    let mut columns = names(&["mesh", "read STL", "read STL and build", "build", "B a triangle"]);
+    let mut columns = names(&[
+        "mesh",
+        "read STL",
+        "read STL and build",
+        "build",
+        "compact: build",
+        "refit, checked",
+        "refit, trusted",
+        "B a triangle",
+        "compact: B a triangle",
+    ]);
     columns.extend(lines.others().map(|peer| format!("{peer}: build")));
     let rows: Vec<Vec<String>> = lines
         .cases
         .iter()
         .map(|(case, triangles)| {
-            let ours = ["read STL", "read STL and build", "build", "memory"];
+            let ours = [
+                "read STL",
+                "read STL and build",
+                "build",
+                "build, compact",
+                "refit checked",
+                "refit trusted",
+                "memory",
+                "memory, compact",
+            ];
             let mut row = vec![format!("{case}, {triangles}")];
             row.extend(ours.map(|question| cell(lines.get(case, question, "embound"))));
             row.extend(lines.others().map(|peer| cell(lines.get(case, "build", peer))));
             row
         })
         .collect();
-    table("Reading and building, seconds; memory", &columns, &rows)
+    let note = "Refit: to vertices that have moved, with and without a look for faces that meet each other. Memory is all \
+                that the geometry holds, the corners and normals of the triangles included.\n\n";
+    let table = table("Reading, building and refitting, seconds; memory", &columns, &rows);
+    if table.is_empty() { table } else { table + note }
 }
 
 /// The centre of a sphere beside looking at every triangle.
@@ -154,12 +180,28 @@ fn centre(lines: &Lines) -> String {
             let mut row = vec![triangles.to_string()];
             row.extend([all, exact, near].map(|ns| short(ns / 1e3)));
             row.extend([exact, near].map(|ns| ratio(Some(ns), Some(all))));
+            row.extend(
+                ["centre, leaves in all", "centre, leaves visited", "centre within 1e-6, leaves visited"]
+                    .map(|q| lines.ours(case, q).map_or("-".into(), short)),
+            );
             rows.push(row);
         }
     }
-    let columns =
-        ["triangles", "every triangle", "at the centre", "within 1e-6 of it", "centre / every", "within / every"];
-    table("The worst case: the centre of a sphere, us a query", &names(&columns), &rows)
+    let columns = [
+        "triangles",
+        "every triangle",
+        "at the centre",
+        "within 1e-6 of it",
+        "centre / every",
+        "within / every",
+        "leaves",
+        "visited at the centre",
+        "visited within 1e-6",
+    ];
+    let note = "All triangles of an icosphere are nearly as near to its centre, so that no box can be left out. Every \
+                triangle: the plain loop over all of them. A leaf holds up to eight triangles.\n\n";
+    let table = table("The worst case: the centre of a sphere, us a query", &names(&columns), &rows);
+    if table.is_empty() { table } else { table + note }
 }
 
 #[cfg(test)]
