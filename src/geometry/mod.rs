@@ -8,10 +8,12 @@ mod classify;
 mod closest;
 pub(crate) mod contacts;
 mod fingerprint;
+mod kinds;
 mod level;
 mod linear;
 mod map;
 mod node;
+mod pack;
 mod parts;
 mod placement;
 mod properties;
@@ -31,7 +33,7 @@ mod value;
 pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
 pub use properties::{
-    Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod,
+    Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod, UnpackCheck,
 };
 pub(crate) use scanned::{Buffers, Scanned};
 pub(crate) use segment::{Change, Event, NO_PART};
@@ -39,6 +41,7 @@ pub use shape::ExpressionOptions;
 pub(crate) use surface::BandWork;
 
 use crate::math::Aabb;
+use crate::store::Block;
 use node::Node;
 use std::sync::Arc;
 use summary::Summary;
@@ -53,6 +56,8 @@ pub struct Geometry {
 struct Inner {
     node: Node,
     summary: Summary,
+    /// The block that it was unpacked from, where it was: held to the end of the geometry, whatever of it is a view.
+    _block: Option<Arc<Block>>,
 }
 
 impl Geometry {

@@ -9,6 +9,7 @@ mod extruded;
 mod grid;
 mod height_field;
 mod outline;
+mod pack;
 mod perlin;
 mod plane;
 mod profiles;
@@ -30,6 +31,7 @@ pub use expression::ExpressionOptions;
 pub(super) use extruded::Extruded;
 pub(crate) use grid::Grid;
 pub(crate) use height_field::HeightField;
+pub(super) use pack::unpack;
 pub(super) use perlin::Perlin;
 pub(super) use plane::Plane;
 pub(super) use revolved::Revolved;
@@ -37,6 +39,7 @@ pub(super) use rounded_box::RoundedBox;
 pub(super) use sphere::Sphere;
 
 use crate::math::{Aabb, Interval, Vec3};
+use crate::store::Packer;
 
 /// A leaf that knows its value, its gradient and the facts that the tree above it needs.
 pub(crate) trait Shape: Send + Sync {
@@ -70,6 +73,9 @@ pub(crate) trait Shape: Send + Sync {
     /// Feeds the numbers that define the shape, and nothing else, to `add`; the first tells the kind of
     /// shape apart from all others.
     fn words(&self, add: &mut dyn FnMut(u64));
+
+    /// The same to the bit, with whatever would take long to find anew, for a block.
+    fn pack<'a>(&'a self, out: &mut Packer<'a>);
 
     /// Memory of the shape in bytes, what it holds on the heap included.
     fn bytes(&self) -> usize;

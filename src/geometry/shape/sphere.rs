@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The ball.
 
+use super::pack::SPHERE;
 use super::support::{box_around, numbers};
 use super::{Crossings, Facts, Shape};
 use crate::error::Result;
 use crate::geometry::build::{finite, positive};
 use crate::math::{Aabb, Interval, Vec3, length};
 use crate::primitive::sphere;
+use crate::store::Packer;
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geometry) struct Sphere {
@@ -61,8 +63,14 @@ impl Shape for Sphere {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(1);
+        add(SPHERE);
         numbers(add, self.center.to_array().into_iter().chain([self.radius]));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(SPHERE);
+        out.vector(self.center);
+        out.number(self.radius);
     }
 
     fn bytes(&self) -> usize {
