@@ -253,6 +253,14 @@
 // disagree there: nothing that is said of signs elsewhere holds.
 #define EMB_REFIT_TRUST 1
 
+// The block is not copied: it stays the caller's, unchanged, until `drop` is run.
+#define EMB_UNPACK_BORROW 1
+
+// The caller knows that the arrays of the block are whole, as another process may have found out: header, directory and
+// nodes are looked at as ever, arrays are not, and nothing of them is read before it is asked for. Where they are damaged
+// all the same, answers may be anything, calls may fail with EMB_ERROR_INTERNAL, and they may not return.
+#define EMB_UNPACK_TRUST 2
+
 // The value is the signed distance to the surface. Of a mesh that passes through itself, all of its faces count: inside,
 // the value may be the distance to a face that lies within the body.
 #define EMB_EXACT 0
@@ -302,6 +310,10 @@
 
 // emb_geom_bounding_box: no part of the body lies in the start box; the result is infinite.
 #define EMB_BOUNDING_NOTHING 2
+
+// A geometry, and what was found around the points it was asked about lately, so that a point near others costs a
+// fraction of one by itself.
+typedef struct emb_cursor emb_cursor;
 
 // What is the matter with a mesh as read, fault by fault. Immutable; it does not need the mesh any more.
 //
@@ -1513,6 +1525,70 @@ emb_status emb_geom_refit(const emb_geom *g,
                           const emb_run *run,
                           emb_geom **out_geom);
 
+// Writes a geometry as a block of bytes, from which emb_geom_unpack makes one of the same answers, to the bit: to be sent to
+// other ranks, or put into a window of memory that the ranks of a node share.
+//
+// *out_size becomes the size in bytes. With `capacity` 0 that is all, and out_block may be NULL; else the block is written to
+// out_block, which has room for `capacity` bytes, at least *out_size of them. It is made of what the geometry is made of and
+// of nothing else: its bytes are the same in every process and for every instruction set and number of threads. Bodies that
+// are used more than once stand there once. A block is read by the versions of embound that write the same version of it,
+// on machines with the same order of bytes.
+//
+// A tree that a callback takes part in (emb_geom_callback, emb_blend.function) cannot be packed: EMB_ERROR_UNSUPPORTED.
+// Cost: O(nodes) for the size, O(bytes) for the block. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (capacity is neither 0 nor enough), EMB_ERROR_UNSUPPORTED,
+// EMB_ERROR_MEMORY.
+emb_status emb_geom_pack(const emb_geom *g,
+                         size_t capacity,
+                         void *out_block,
+                         size_t *out_size);
+
+// Makes the geometry of a block that emb_geom_pack wrote: the same answers, to the bit, the same fingerprint and properties.
+// `size` is the size of the block, which is no larger.
+//
+// `flags` are 0 or any of these together. EMB_UNPACK_BORROW: the block is not copied; it must begin at a multiple of 64
+// bytes, and stay, unchanged, until `drop` is run. So one block in memory that the ranks of a node share (MPI's
+// MPI_Win_allocate_shared) serves all of them. EMB_UNPACK_TRUST: the arrays of the block are not looked at, so that this
+// takes no time for their size; the caller knows that they are whole.
+//
+// `drop` (may be NULL) is run with `user` when the block is no longer needed: with EMB_UNPACK_BORROW with the last geometry
+// that uses it, which may be one made of this, else before this returns. Not if this fails.
+//
+// Without EMB_UNPACK_TRUST every byte is looked at, on the calling thread: a damaged block, one that was cut off, and any
+// other bytes are an error, and what is accepted never leads out of the block. Cost: O(bytes), some GB a second; with both
+// flags O(nodes). Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (unknown flags, a borrowed block begins elsewhere),
+// EMB_ERROR_PARSE (not a block, or damaged), EMB_ERROR_UNSUPPORTED (a block of another version, or of a machine with
+// another order of bytes), EMB_ERROR_MEMORY.
+emb_status emb_geom_unpack(const void *block,
+                           size_t size,
+                           int32_t flags,
+                           emb_drop_fn drop,
+                           void *user,
+                           emb_geom **out_geom);
+
+// Writes the block of emb_geom_pack to a file, without a copy of it in memory. It is written beside and renamed, so that
+// whoever has a file of this name open keeps the one that was. `run` may be NULL.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (run), EMB_ERROR_UNSUPPORTED as of emb_geom_pack,
+// EMB_ERROR_IO, EMB_ERROR_CANCELLED, EMB_ERROR_MEMORY. O(bytes). Any thread.
+emb_status emb_geom_save(const emb_geom *g,
+                         const char *path,
+                         const emb_run *run);
+
+// Makes the geometry of a file that emb_geom_save wrote, or that holds the block of emb_geom_pack. The file is mapped, not
+// read: all processes of a node that open it share one copy in memory. Nobody may change the file or cut it off while a
+// geometry of it is in use, by this process or another; emb_geom_save never does (it renames), and neither does removing it.
+//
+// `flags` is 0 or EMB_UNPACK_TRUST, as of emb_geom_unpack: with it opening takes milliseconds for any size, and what is never
+// asked for is never read; without it every byte is looked at first, on the pool of `run`, which may be NULL.
+// (EMB_UNPACK_BORROW may be given; it is what this does.) Systems other than Unix with 64 bits read the file into memory of
+// their own. Any thread.
+// Errors: as of emb_geom_unpack, and EMB_ERROR_IO, EMB_ERROR_CANCELLED.
+emb_status emb_geom_open(const char *path,
+                         int32_t flags,
+                         const emb_run *run,
+                         emb_geom **out_geom);
+
 // A ball. Exact. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (not finite, or radius not > 0).
 emb_status emb_geom_sphere(const double center[3], double radius, emb_geom **out_geom);
 
@@ -2004,6 +2080,27 @@ emb_status emb_geom_classify_boxes(const emb_geom *g,
                                    const double *hi,
                                    const emb_run *run,
                                    int32_t *out_class);
+
+// A cursor for solvers that ask for one value after another, points that follow one another lying close together: node
+// after node of a grid, or a search along an edge. It pays on meshes, moved, complemented, offset, labelled or in small
+// unions and intersections, too; other geometries answer as they are. The spacing of the points is learnt from the first
+// two and again where it changes; it pays from some sixteen points on in a cube of four spacings, and points all
+// over the place cost a little more than without it. It takes up to about 6 MB for each mesh. `g` is kept alive.
+// On success *out_cursor is the caller's, to be freed with emb_cursor_free. Whole boxes are filled faster by
+// emb_geom_fill, many points by emb_geom_values.
+// Errors: EMB_ERROR_NULL_ARGUMENT.
+emb_status emb_cursor_new(const emb_geom *g,
+                          emb_cursor **out_cursor);
+
+// emb_geom_value of the cursor's geometry, to the bit, whatever was asked before; NaN for NULL. One cursor for each
+// thread: where several share one, a thread that comes while another is answered is answered without its help.
+double emb_cursor_value(const emb_cursor *cursor, double x, double y, double z);
+
+// emb_cursor_value as an emb_value_fn, for solvers that take (function, user): `cursor` is a const emb_cursor *.
+double emb_cursor_value_fn(void *cursor, double x, double y, double z);
+
+// Frees a cursor. NULL is fine. Not while a call uses it.
+void emb_cursor_free(emb_cursor *cursor);
 
 // A box around a body, found by subdividing a start box as an octree: for functions that do not know their bounds
 // (emb_geom_bounds costs nothing where they are known). The start box is halved `depth` times (1 to 16) along each

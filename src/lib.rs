@@ -21,6 +21,7 @@ mod bvh;
 pub mod primitive;
 mod scan;
 mod simd;
+mod store;
 
 pub use error::{Error, Result, Status};
 pub use simd::isa;

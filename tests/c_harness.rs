@@ -152,6 +152,11 @@ fn vertices_of_meshes_move() {
 }
 
 #[test]
+fn geometries_are_packed_into_the_same_bytes_and_come_back() {
+    same_hashes("pack");
+}
+
+#[test]
 fn diagnoses_of_meshes_have_the_same_bits_however_they_are_asked_for() {
     same_hashes("diagnosis");
 }

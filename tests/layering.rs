@@ -7,19 +7,20 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 /// Each module with what it may use; `error` and `parallel` serve all, and nothing uses `ffi`.
-const MAY_USE: [(&str, &[&str]); 12] = [
+const MAY_USE: [(&str, &[&str]); 13] = [
     ("error", &[]),
     ("math", &[]),
     ("parallel", &["simd"]),
     ("simd", &[]),
-    ("primitive", &["math", "simd"]),
+    ("primitive", &["math", "simd", "store"]),
     ("mesh", &["math", "primitive"]),
     ("io", &["math", "mesh"]),
-    ("bvh", &["math", "simd"]),
+    ("store", &["math", "simd"]),
+    ("bvh", &["math", "simd", "store"]),
     ("scan", &["math", "primitive"]),
-    ("geometry", &["math", "primitive", "mesh", "bvh", "scan", "simd"]),
+    ("geometry", &["math", "primitive", "mesh", "bvh", "scan", "simd", "store"]),
     ("query", &["math", "primitive", "mesh", "bvh", "scan", "geometry", "simd"]),
-    ("ffi", &["math", "mesh", "io", "geometry", "query", "simd"]),
+    ("ffi", &["math", "mesh", "io", "geometry", "query", "simd", "store"]),
 ];
 
 /// Functions of std whose bits differ between platforms, and fused operations, which differ from unfused ones.

@@ -8,15 +8,18 @@ mod far;
 mod nearest;
 mod oriented;
 mod overlap;
+mod pack;
 mod pairs;
 mod witness;
 
 pub(crate) use nearest::{Along, Around, GROUP, LeafDistance, nearest, nearest_for_group};
+pub(crate) use pack::each_once;
 pub(crate) use pairs::{ALONE, Pairs, Scratch};
 pub(crate) use witness::{Corners, LeafList};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};
 use crate::simd::lanes::WIDTH;
+use crate::store::{Array, plain};
 use oriented::Oriented;
 
 /// Most primitives of a leaf.
@@ -34,6 +37,10 @@ pub(crate) struct Node {
     child: [u32; WIDTH],
 }
 
+plain! {
+    Node { lo: [[f32; WIDTH]; 3], hi: [[f32; WIDTH]; 3], child: [u32; WIDTH] }
+}
+
 const EMPTY_NODE: Node =
     Node { lo: [[f32::INFINITY; WIDTH]; 3], hi: [[f32::NEG_INFINITY; WIDTH]; 3], child: [u32::MAX; WIDTH] };
 
@@ -41,9 +48,9 @@ const EMPTY_NODE: Node =
 #[derive(Clone, Debug)]
 pub(crate) struct Tree {
     /// Node 0 is the root; children come after their parent.
-    nodes: Vec<Node>,
+    nodes: Array<Node>,
     /// For each, the same turned to fit, where they were asked for.
-    oriented: Vec<Oriented>,
+    oriented: Array<Oriented>,
     /// Middle of all boxes; everything in `nodes` is relative to it.
     center: Vec3,
     /// A power of two that brings everything in `nodes` to a size of about one, so that f32 neither overflows
@@ -56,9 +63,9 @@ pub(crate) struct Tree {
 /// Which primitives are in which leaf.
 pub(crate) struct Leaves {
     /// Primitives, leaf after leaf.
-    pub(crate) order: Vec<u32>,
+    pub(crate) order: Array<u32>,
     /// Leaf k holds `order[start[k]..start[k + 1]]`.
-    pub(crate) start: Vec<u32>,
+    pub(crate) start: Array<u32>,
 }
 
 impl Tree {

@@ -33,6 +33,9 @@ const UNBOUNDED: i32 = f32::INFINITY.to_bits() as i32 | LANE;
 /// children waiting on each.
 const DEEPEST: usize = (8 * (16 + 12usize)).next_power_of_two();
 
+/// Levels of nodes that there is room for.
+pub(super) const LEVELS: usize = DEEPEST / WIDTH;
+
 /// Room for eight levels; clearing more than is needed costs as much as a node.
 const COMMON: usize = 64;
 

@@ -10,6 +10,7 @@ use crate::parallel::Run;
 use crate::simd::float8::{Float8, Simd};
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
+use crate::store::{Array, plain};
 
 /// Eight oriented boxes side by side: for each row of the matrix that turns a point into the frame of a box, its three
 /// places; the middles; half the edges. An unused child's box is never reached.
@@ -20,6 +21,15 @@ pub(crate) struct Oriented {
     middle: [[f32; WIDTH]; 3],
     half: [[f32; WIDTH]; 3],
     pub(super) child: [u32; WIDTH],
+}
+
+plain! {
+    Oriented {
+        rows: [[[f32; WIDTH]; 3]; 3],
+        middle: [[f32; WIDTH]; 3],
+        half: [[f32; WIDTH]; 3],
+        child: [u32; WIDTH],
+    }
 }
 
 pub(super) const NONE: Oriented = Oriented {
@@ -99,13 +109,13 @@ impl Tree {
             }
             Ok(())
         })?;
-        self.oriented = oriented;
+        self.oriented = oriented.into();
         Ok(())
     }
 
     /// Without the oriented boxes: a third of the memory.
     pub(crate) fn without_fit(self) -> Tree {
-        Tree { oriented: Vec::new(), ..self }
+        Tree { oriented: Array::default(), ..self }
     }
 }
 
@@ -166,6 +176,19 @@ impl Kernel for Extent<'_> {
 }
 
 impl Oriented {
+    /// Whether every child has a box, of rows of unit vectors and of numbers up to `largest`, and what is no child none.
+    pub(super) fn is_sound(&self, largest: f32) -> bool {
+        (0..WIDTH).all(|lane| {
+            let is_child = self.child[lane] != u32::MAX;
+            let (most, unit) = if is_child { (largest, 2.0) } else { (0.0, 0.0) };
+            (0..3).all(|k| {
+                self.middle[k][lane].abs() <= most
+                    && (0.0..=most).contains(&self.half[k][lane])
+                    && self.rows[k].iter().all(|row| row[lane].abs() <= unit)
+            })
+        })
+    }
+
     fn set(&mut self, lane: usize, fit: &Fit) {
         for k in 0..3 {
             for j in 0..3 {

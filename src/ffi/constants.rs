@@ -159,6 +159,13 @@ pub const EMB_REFIT_CHECK: i32 = 0;
 /// disagree there: nothing that is said of signs elsewhere holds.
 pub const EMB_REFIT_TRUST: i32 = 1;
 
+/// The block is not copied: it stays the caller's, unchanged, until `drop` is run.
+pub const EMB_UNPACK_BORROW: i32 = 1;
+/// The caller knows that the arrays of the block are whole, as another process may have found out: header, directory and
+/// nodes are looked at as ever, arrays are not, and nothing of them is read before it is asked for. Where they are damaged
+/// all the same, answers may be anything, calls may fail with EMB_ERROR_INTERNAL, and they may not return.
+pub const EMB_UNPACK_TRUST: i32 = 2;
+
 /// The value is the signed distance to the surface. Of a mesh that passes through itself, all of its faces count: inside,
 /// the value may be the distance to a face that lies within the body.
 pub const EMB_EXACT: i32 = 0;

@@ -2,9 +2,9 @@
 //! A number that is equal for equal content on every rank, instruction set and run. Words are mixed by
 //! the finaliser of SplitMix64 (Steele, Lea & Flood 2014).
 
-use super::Geometry;
 use super::level::Level;
 use super::node::Node;
+use super::{Geometry, kinds};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -41,24 +41,24 @@ impl Geometry {
                 }
             }
             Node::Surface(surface) => {
-                mixer.add(3);
+                mixer.add(kinds::SURFACE);
                 surface.fingerprint(&mut mixer.adder());
             }
             Node::Function { .. } => {}
-            Node::Union(parts) => mixer.words([4, parts.list().len() as u64]),
-            Node::Intersection(parts) => mixer.words([5, parts.list().len() as u64]),
-            Node::Complement(_) => mixer.words([6]),
-            Node::Translate(_, shift) => mixer.add(7).numbers(shift.to_array()),
-            Node::Place(_, placement) => mixer.add(8).numbers(placement.numbers()),
-            Node::Part(_, label) => mixer.words([9, *label as u64]),
-            Node::Map(_, map) => map.words(&mut mixer.add(10).adder()),
-            Node::Level(_, Level::Offset(d)) => mixer.add(11).numbers([*d]),
+            Node::Union(parts) => mixer.words([kinds::UNION, parts.list().len() as u64]),
+            Node::Intersection(parts) => mixer.words([kinds::INTERSECTION, parts.list().len() as u64]),
+            Node::Complement(_) => mixer.words([kinds::COMPLEMENT]),
+            Node::Translate(_, shift) => mixer.add(kinds::TRANSLATE).numbers(shift.to_array()),
+            Node::Place(_, placement) => mixer.add(kinds::PLACE).numbers(placement.numbers()),
+            Node::Part(_, label) => mixer.words([kinds::PART, *label as u64]),
+            Node::Map(_, map) => map.words(&mut mixer.add(kinds::MAP).adder()),
+            Node::Level(_, Level::Offset(d)) => mixer.add(kinds::LEVEL).numbers([*d]),
             Node::Level(_, Level::Annular(d)) => mixer.add(12).numbers([*d]),
             Node::Level(_, Level::Divided(c)) => mixer.add(13).numbers([*c]),
-            Node::Stencil(_, stencil) => stencil.words(&mut mixer.add(14).adder()),
-            Node::Repeat(repeat) => repeat.words(&mut mixer.add(15).adder()),
+            Node::Stencil(_, stencil) => stencil.words(&mut mixer.add(kinds::STENCIL).adder()),
+            Node::Repeat(repeat) => repeat.words(&mut mixer.add(kinds::REPEAT).adder()),
             Node::Smooth(smooth) => {
-                mixer.words([16, smooth.parts().list().len() as u64]);
+                mixer.words([kinds::SMOOTH, smooth.parts().list().len() as u64]);
                 smooth.blend().words(&mut mixer.adder());
             }
         }

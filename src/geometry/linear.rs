@@ -6,6 +6,7 @@ use super::properties::Kind;
 use super::summary::Summary;
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Mat3, Vec3, length};
+use crate::store::{Packer, Unpacker};
 
 /// `matrix * p + offset`, with what the value is multiplied by.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +63,25 @@ impl Linear {
     pub(super) fn slice(origin: Vec3, u: Vec3, v: Vec3) -> Linear {
         let matrix = Mat3::from_cols(u, v, Vec3::ZERO);
         Linear { matrix, offset: origin, factor: 1.0, norm: 1.0 + 1e-9, back: None }
+    }
+
+    /// What it was made of.
+    pub(super) fn pack(&self, out: &mut Packer) {
+        out.word(u64::from(self.back.is_some()));
+        match &self.back {
+            Some(back) => {
+                out.numbers(back.matrix.transpose().to_cols_array());
+                out.vector(back.shift);
+            }
+            None => [self.offset, self.matrix.x_axis, self.matrix.y_axis].into_iter().for_each(|v| out.vector(v)),
+        }
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Linear> {
+        match from.flag()? {
+            true => Linear::affine(from.numbers()?, from.vector()?),
+            false => Ok(Linear::slice(from.vector()?, from.vector()?, from.vector()?)),
+        }
     }
 
     pub(super) fn point(&self, p: Vec3) -> Vec3 {

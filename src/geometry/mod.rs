@@ -11,10 +11,12 @@ pub(crate) mod contacts;
 mod cursor;
 mod cut;
 mod fingerprint;
+mod kinds;
 mod level;
 mod linear;
 mod map;
 mod node;
+mod pack;
 mod parts;
 mod placement;
 mod points;
@@ -37,7 +39,7 @@ pub use closest::Closest;
 pub use cursor::Cursor;
 pub(crate) use cut::Cut;
 pub use properties::{
-    Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod,
+    Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod, UnpackCheck,
 };
 pub(crate) use scanned::{Buffers, Scanned};
 pub(crate) use segment::{Change, Event, NO_PART};
@@ -45,6 +47,7 @@ pub use shape::ExpressionOptions;
 pub(crate) use surface::BandWork;
 
 use crate::math::{Aabb, Vec3};
+use crate::store::Block;
 use node::Node;
 use std::sync::Arc;
 use summary::Summary;
@@ -59,6 +62,8 @@ pub struct Geometry {
 struct Inner {
     node: Node,
     summary: Summary,
+    /// The block that it was unpacked from, where it was: held to the end of the geometry, whatever of it is a view.
+    _block: Option<Arc<Block>>,
 }
 
 impl Geometry {

@@ -3,6 +3,7 @@
 
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Mat3, Vec3};
+use crate::store::{Packer, Unpacker, wrong};
 
 /// A point q of the body comes to `scale * rotation * q + shift`.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +77,22 @@ impl Placement {
     /// First `first`, then `self`.
     pub(super) fn after(&self, first: &Placement) -> Placement {
         Placement::orthonormal(self.rotation * first.rotation, self.scale * first.scale, self.to_space(first.shift))
+    }
+
+    pub(super) fn pack(self, out: &mut Packer) {
+        out.numbers(self.numbers());
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Placement> {
+        let rotation = Mat3::from_cols_array(&from.numbers()?);
+        let (shift, scale) = (from.vector()?, from.finite()?);
+        let inverse = rotation.transpose();
+        let off =
+            (inverse * rotation - Mat3::IDENTITY).to_cols_array().into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+        if off > TOLERANCE || !(scale > 0.0 && scale.is_normal() && (1.0 / scale).is_normal()) {
+            return Err(wrong("a placement is none"));
+        }
+        Ok(Placement { rotation, inverse, scale, shift })
     }
 
     /// What the value is multiplied by.

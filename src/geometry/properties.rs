@@ -73,6 +73,18 @@ pub enum RefitCheck {
     Trust = 1,
 }
 
+/// What is looked at when a geometry is unpacked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum UnpackCheck {
+    /// All of it: damage is an error, and so is what no geometry is made of.
+    #[default]
+    Check = 0,
+    /// Its front, but not its arrays, of which nothing is read: they are known to be whole, because another process looked
+    /// at them, say. If they are not, answers are wrong, fail, or may not end.
+    Trust = 1,
+}
+
 /// How a mesh becomes a geometry.
 #[derive(Clone, Debug, Default)]
 pub struct SdfOptions {

@@ -9,6 +9,7 @@ use super::properties::Kind;
 use super::summary::{ROOT_OF_THREE, Summary, extent, grown};
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Interval, Vec3, length};
+use crate::store::Packer;
 
 /// Copies that may have to be asked one by one for one point.
 const MOST_AT_ONCE: f64 = 1_048_576.0;
@@ -38,6 +39,11 @@ impl Repeat {
             )));
         }
         Ok(repeat)
+    }
+
+    pub(super) fn pack(&self, out: &mut Packer) {
+        out.vector(self.period);
+        self.counts.iter().for_each(|&count| out.word(u64::from(count)));
     }
 
     pub(super) fn child(&self) -> &Geometry {

@@ -8,6 +8,7 @@ use super::properties::Kind;
 use super::summary::{ROOT_OF_THREE, Summary, grown};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Interval, Vec3};
+use crate::store::{Packer, Unpacker, wrong};
 
 pub(super) struct Stencil {
     /// Offset and weight of each sample.
@@ -51,6 +52,24 @@ impl Stencil {
             return Err(Error::invalid("weights: all of them are zero"));
         }
         Ok(Stencil { samples, reach })
+    }
+
+    pub(super) fn pack(&self, out: &mut Packer) {
+        out.word(self.samples.len() as u64);
+        out.numbers(self.samples.iter().flat_map(|(d, weight)| [d.x, d.y, d.z, *weight]));
+        out.number(self.reach);
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Stencil> {
+        let count = from.count(4, "samples")?;
+        let mut samples = try_with_capacity("samples", count)?;
+        for _ in 0..count {
+            samples.push((from.vector()?, from.finite()?));
+        }
+        let stencil = Stencil { samples, reach: from.finite()? };
+        let is_fit = |(_, weight): &(Vec3, f64)| *weight > 0.0;
+        let is_mean = count > 0 && stencil.samples.iter().all(is_fit) && stencil.reach >= 0.0;
+        if is_mean { Ok(stencil) } else { Err(wrong("a mean has no samples, or weights that are none")) }
     }
 
     pub(super) fn value(&self, g: &Geometry, p: Vec3) -> f64 {

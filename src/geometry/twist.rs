@@ -7,8 +7,10 @@
 use super::properties::Kind;
 use super::shape::{Cuboid, Shape};
 use super::summary::Summary;
+use crate::error::Result;
 use crate::math::{Aabb, Interval, Vec3, length};
 use crate::primitive::cuboid;
+use crate::store::{Packer, Unpacker, wrong};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Twist {
@@ -27,6 +29,23 @@ impl Twist {
         let stretch = 0.5 * (shear + (shear * shear + 4.0).sqrt()) * (1.0 + 1e-9);
         let is_known = b.is_finite() && b.lo.cmplt(b.hi).all() && s.lipschitz.is_finite() && stretch.is_finite();
         Twist { rate, within: is_known.then_some((b, 1.0 / stretch)) }
+    }
+
+    /// With the bounds, which may be those of a larger child that this one was cut out of.
+    pub(super) fn pack(&self, out: &mut Packer) {
+        out.number(self.rate);
+        out.word(u64::from(self.within.is_some()));
+        let (b, factor) = self.within.unwrap_or((Aabb::new(Vec3::ZERO, Vec3::ZERO), 1.0));
+        out.vector(b.lo);
+        out.vector(b.hi);
+        out.number(factor);
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Twist> {
+        let (rate, is_known) = (from.finite()?, from.flag()?);
+        let (b, factor) = (Aabb::new(from.vector()?, from.vector()?), from.finite()?);
+        let is_fit = !b.is_empty() && factor > 0.0 && factor <= 1.0;
+        if is_fit { Ok(Twist { rate, within: is_known.then_some((b, factor)) }) } else { Err(wrong("a twist is none")) }
     }
 
     /// The child's point.

@@ -14,6 +14,7 @@ mod vtk;
 mod vtp;
 mod words;
 
+pub(crate) use file::write_with;
 pub use grid::{GridField, write_grid};
 
 use crate::error::{Error, Result};

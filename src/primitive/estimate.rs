@@ -15,6 +15,7 @@
 use crate::math::{Vec3, length, unit};
 use crate::simd::float8::{Float8, Simd};
 use crate::simd::lanes::{F32x8, WIDTH};
+use crate::store::plain;
 
 /// Bound on the error but for what rounding the points adds, relative to the distance plus the longest edge; see
 /// above.
@@ -37,6 +38,10 @@ pub(crate) struct Estimates {
     c: [F32x8; 2],
     /// One over the squared lengths of the edges from b to c and from c to the origin.
     inverse: [F32x8; 2],
+}
+
+plain! {
+    Estimates { origin: [F32x8; 3], axes: [[F32x8; 3]; 3], b: F32x8, c: [F32x8; 2], inverse: [F32x8; 2] }
 }
 
 impl Estimates {
@@ -77,6 +82,22 @@ impl Estimates {
         };
         self.inverse[0].0[lane] = inverse(tip[0] - width, tip[1]);
         self.inverse[1].0[lane] = inverse(tip[0], tip[1]);
+    }
+
+    /// Whether the first lanes are of triangles within a little more than one of the origin, and the others of none.
+    pub(crate) fn are_sound(&self, used: usize) -> bool {
+        let within = |lanes: &F32x8, lo: f32, hi: f32| lanes.0[..used].iter().all(|x| lo <= *x && *x <= hi);
+        let is = |lanes: &F32x8, none: &F32x8| lanes.0[used..] == none.0[used..];
+        let none = &Estimates::NONE;
+        (0..3).all(|k| within(&self.origin[k], -2.0, 2.0) && is(&self.origin[k], &none.origin[k]))
+            && (0..9).all(|k| {
+                let axis = &self.axes[k / 3][k % 3];
+                within(axis, -2.0, 2.0) && is(axis, &none.axes[k / 3][k % 3])
+            })
+            && within(&self.b, 0.0, 4.0)
+            && is(&self.b, &none.b)
+            && (0..2).all(|k| within(&self.c[k], -4.0, 4.0) && is(&self.c[k], &none.c[k]))
+            && (0..2).all(|k| within(&self.inverse[k], 0.0, 2e36) && is(&self.inverse[k], &none.inverse[k]))
     }
 
     /// Copies a lane of others.

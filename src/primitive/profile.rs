@@ -110,6 +110,12 @@ pub(crate) struct Cone {
 }
 
 impl Cone {
+    /// None where the base is no circle.
+    pub(crate) fn new(sin: f64, cos: f64, height: f64) -> Option<Cone> {
+        let (radius, slant) = (height * (sin / cos), height / cos);
+        (radius > 0.0 && slant.is_finite()).then_some(Cone { wedge: Wedge { sin, cos }, height, radius, slant })
+    }
+
     pub(crate) fn value(&self, r: f64, z: f64) -> f64 {
         let (above, beyond) = (self.wedge.above(r, z), z - self.height);
         let inside = above.max(beyond);

@@ -15,6 +15,7 @@ mod disjoint;
 mod exact;
 mod levels;
 mod nesting;
+mod packing;
 mod promises;
 mod repeats;
 mod scenes;

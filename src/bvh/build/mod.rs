@@ -11,6 +11,7 @@ use crate::error::{Error, Result, filled, try_with_capacity};
 use crate::math::Aabb;
 use crate::parallel;
 use crate::simd::lanes::WIDTH;
+use crate::store::Array;
 use cells::Cells;
 use split::{Item, Runs, Splitter};
 use std::sync::Mutex;
@@ -47,8 +48,8 @@ impl Tree {
         let run = run.silent();
         let whole = hull_of_all(count, bounds, &run)?;
         let mut tree = Tree {
-            nodes: Vec::new(),
-            oriented: Vec::new(),
+            nodes: Array::default(),
+            oriented: Array::default(),
             center: whole.center(),
             scale: scale_of(whole.diagonal()),
             depth: 0,
@@ -67,13 +68,13 @@ impl Tree {
             }
             None => Source::Items.part(&mut items, 0, leaf_size, 0, &run)?,
         };
-        (tree.nodes, tree.depth) = (part.nodes, part.depth);
+        (tree.nodes, tree.depth) = (part.nodes.into(), part.depth);
         let mut order = try_with_capacity("primitives", count)?;
         order.extend(items.iter().map(Item::index));
         let mut start = try_with_capacity("leaves", part.ends.len() + 1)?;
         start.push(0);
         start.extend(part.ends);
-        Ok((tree, Leaves { order, start }))
+        Ok((tree, Leaves { order: order.into(), start: start.into() }))
     }
 }
 

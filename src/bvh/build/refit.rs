@@ -7,6 +7,7 @@ use crate::error::{Result, try_copy, try_with_capacity};
 use crate::math::Aabb;
 use crate::parallel::Run;
 use crate::simd::lanes::WIDTH;
+use crate::store::Array;
 
 /// Leaves for a thread to do in one go.
 const PIECE: usize = 2048;
@@ -18,8 +19,8 @@ impl Tree {
     pub(crate) fn refit(&self, leaves: usize, bounds: &(dyn Fn(usize) -> Aabb + Sync), run: &Run) -> Result<Tree> {
         let whole = hull_of_all(leaves, bounds, run)?;
         let (center, scale) = (whole.center(), scale_of(whole.diagonal()));
-        let nodes = try_copy("nodes", &self.nodes)?;
-        let mut tree = Tree { nodes, oriented: Vec::new(), center, scale, depth: self.depth };
+        let mut nodes = try_copy("nodes", &self.nodes)?;
+        let mut tree = Tree { nodes: Array::default(), oriented: Array::default(), center, scale, depth: self.depth };
         let mut boxes: Vec<Box32> = try_with_capacity("boxes", leaves)?;
         boxes.resize(leaves, ([0.0; 3], [0.0; 3]));
         run.for_each_piece(&mut boxes, PIECE, &|from, piece| {
@@ -27,20 +28,21 @@ impl Tree {
             Ok(())
         })?;
         // Children come after their parent.
-        for at in (0..tree.nodes.len()).rev() {
-            let child = tree.nodes[at].child;
+        for at in (0..nodes.len()).rev() {
+            let child = nodes[at].child;
             let mut node = Node { child, ..EMPTY_NODE };
             for lane in (0..WIDTH).filter(|lane| child[*lane] != u32::MAX) {
                 let (lo, hi) = match child[lane] & LEAF {
-                    0 => hull(&tree.nodes[child[lane] as usize]),
+                    0 => hull(&nodes[child[lane] as usize]),
                     _ => boxes[(child[lane] & !LEAF) as usize],
                 };
                 for axis in 0..3 {
                     (node.lo[axis][lane], node.hi[axis][lane]) = (lo[axis], hi[axis]);
                 }
             }
-            tree.nodes[at] = node;
+            nodes[at] = node;
         }
+        tree.nodes = nodes.into();
         Ok(tree)
     }
 }

@@ -68,6 +68,10 @@ impl Geometry {
     /// at the cost of one body and a few queries of it. Exact where the body is and its bounds are smaller
     /// than the period.
     pub fn repeat(&self, period: [f64; 3], counts: [i32; 3]) -> Result<Geometry> {
+        Geometry::new(Node::Repeat(self.repeat_node(period, counts)?))
+    }
+
+    pub(in crate::geometry) fn repeat_node(&self, period: [f64; 3], counts: [i32; 3]) -> Result<Repeat> {
         let period = finite("period", period)?;
         if let Some(k) = counts.iter().position(|&c| c < 1) {
             return Err(Error::invalid(format!("counts[{k}]: {} is not at least 1", counts[k])));
@@ -83,7 +87,7 @@ impl Geometry {
         if counts.iter().try_fold(1usize, |n, &c| n.checked_mul(c as usize)).is_none() {
             return Err(Error::invalid(format!("counts: {} x {} x {} overflow", counts[0], counts[1], counts[2])));
         }
-        Geometry::new(Node::Repeat(Repeat::new(self.clone(), period, counts)?))
+        Repeat::new(self.clone(), period, counts)
     }
 }
 

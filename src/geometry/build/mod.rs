@@ -19,6 +19,7 @@ use crate::error::{Error, Result};
 use crate::math::Vec3;
 use crate::mesh::Mesh;
 use crate::parallel::Run;
+use crate::store::Block;
 use std::sync::Arc;
 
 /// Deepest nesting: evaluation and destruction recurse.
@@ -26,11 +27,16 @@ const MAX_DEPTH: usize = 1000;
 
 impl Geometry {
     pub(in crate::geometry) fn new(node: Node) -> Result<Geometry> {
+        Geometry::kept(node, None)
+    }
+
+    /// The same, over a block that is to be held as long.
+    pub(in crate::geometry) fn kept(node: Node, block: Option<Arc<Block>>) -> Result<Geometry> {
         let summary = Summary::of(&node);
         if summary.depth > MAX_DEPTH {
             return Err(Error::unsupported(format!("nesting: {} levels are more than {MAX_DEPTH}", summary.depth)));
         }
-        Ok(Geometry { inner: Arc::new(Inner { node, summary }) })
+        Ok(Geometry { inner: Arc::new(Inner { node, summary, _block: block }) })
     }
 
     /// A leaf.

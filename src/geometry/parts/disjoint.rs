@@ -13,6 +13,10 @@ const NEAR: usize = 1024;
 impl Parts {
     /// Whether it is proved that no two parts (turned: no two complements) have a point in common.
     pub(in crate::geometry) fn are_disjoint(&self) -> bool {
+        *self.apart.get_or_init(|| self.are_found_disjoint())
+    }
+
+    fn are_found_disjoint(&self) -> bool {
         let mut left = NEAR + NEAR_A_PART * self.list.len();
         (0..self.list.len()).all(|a| {
             // Where parts are of very different sizes the hierarchy brings up many.

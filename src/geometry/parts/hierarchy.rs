@@ -12,6 +12,7 @@ use crate::geometry::node::Node;
 use crate::geometry::shape::Sphere;
 use crate::math::Aabb;
 use crate::parallel;
+use crate::store::Array;
 
 /// Parts whose values rise slower than this stand beside: they would spoil the bounds of all others.
 const MOST_SPREAD: f64 = 16.0;
@@ -20,17 +21,17 @@ const MOST_SPREAD: f64 = 16.0;
 const MANY_SPHERES: usize = 8;
 
 pub(super) struct Hierarchy {
-    pub(super) spheres: Option<(Tree, Vec<Block>)>,
+    pub(super) spheres: Option<(Tree, Array<Block>)>,
     /// Leaf k is the part `.1[k]`.
-    pub(super) others: Option<(Tree, Vec<u32>)>,
+    pub(super) others: Option<(Tree, Array<u32>)>,
     /// In order.
-    pub(super) beside: Vec<u32>,
+    pub(super) beside: Array<u32>,
     /// Largest of the parts in the trees.
-    spread: f64,
+    pub(super) spread: f64,
     /// Largest Lipschitz constant of the parts in the trees, at least 1: how fast a value falls inside a box.
-    steepness: f64,
+    pub(super) steepness: f64,
     /// Largest rounding of the parts in the trees, and of distances to boxes.
-    rounding: (f64, f64),
+    pub(super) rounding: (f64, f64),
 }
 
 impl Hierarchy {
@@ -56,8 +57,14 @@ impl Hierarchy {
         if spheres.len() + others.len() < 2 {
             return Ok(None);
         }
-        let mut hierarchy =
-            Hierarchy { spheres: None, others: None, beside, spread: 1.0, steepness: 1.0, rounding: (0.0, 0.0) };
+        let mut hierarchy = Hierarchy {
+            spheres: None,
+            others: None,
+            beside: beside.into(),
+            spread: 1.0,
+            steepness: 1.0,
+            rounding: (0.0, 0.0),
+        };
         let mut size = 0.0f64;
         for &k in spheres.iter().chain(&others) {
             let (s, b) = (list[k as usize].summary(), around(&list[k as usize], turned));
@@ -78,7 +85,7 @@ impl Hierarchy {
                 let members = order[leaf[0] as usize..leaf[1] as usize].iter();
                 blocks.push(Block::new(&members.filter_map(|&k| sphere(k)).collect::<Vec<_>>()));
             }
-            hierarchy.spheres = Some((tree, blocks));
+            hierarchy.spheres = Some((tree, blocks.into()));
         }
         if !others.is_empty() {
             let (tree, order, _) = build(list, &others, turned, 1)?;
@@ -169,10 +176,10 @@ pub(super) fn as_sphere(part: &Geometry) -> Option<Sphere> {
 }
 
 /// A tree over some parts: the tree, the parts leaf after leaf, and where each leaf begins.
-fn build(list: &[Geometry], members: &[u32], turned: bool, leaf: usize) -> Result<(Tree, Vec<u32>, Vec<u32>)> {
+fn build(list: &[Geometry], members: &[u32], turned: bool, leaf: usize) -> Result<(Tree, Array<u32>, Array<u32>)> {
     let mut boxes = try_with_capacity("boxes", members.len())?;
     boxes.extend(members.iter().map(|&k| around(&list[k as usize], turned)));
     let (tree, mut leaves) = Tree::build(boxes.len(), &|k| boxes[k], leaf, &parallel::Run::SERIAL)?;
-    leaves.order.iter_mut().for_each(|k| *k = members[*k as usize]);
+    leaves.order.edit("parts")?.iter_mut().for_each(|k| *k = members[*k as usize]);
     Ok((tree, leaves.order, leaves.start))
 }

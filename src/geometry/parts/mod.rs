@@ -5,6 +5,7 @@
 
 mod disjoint;
 mod hierarchy;
+mod pack;
 mod search;
 mod spheres;
 
@@ -16,6 +17,7 @@ use super::summary::{ROOT_OF_THREE, extent, grown};
 use crate::error::Result;
 use crate::math::{Aabb, Interval, Vec3};
 use hierarchy::Hierarchy;
+use std::sync::OnceLock;
 
 /// Fewer parts than this are asked one after another.
 const MANY: usize = 4;
@@ -43,6 +45,8 @@ pub(super) struct Parts {
     /// Whether the signs of all values are turned.
     turned: bool,
     hierarchy: Option<Box<Hierarchy>>,
+    /// Whether no two have a point in common, where that was asked.
+    apart: OnceLock<bool>,
 }
 
 impl Parts {
@@ -52,7 +56,7 @@ impl Parts {
             true => Hierarchy::new(&list, turned)?.map(Box::new),
             false => None,
         };
-        Ok(Parts { list, turned, hierarchy })
+        Ok(Parts { list, turned, hierarchy, apart: OnceLock::new() })
     }
 
     pub(super) fn list(&self) -> &[Geometry] {

@@ -5,17 +5,23 @@ use crate::geometry::shape::Sphere;
 use crate::math::Vec3;
 use crate::primitive::sphere;
 use crate::simd::lanes::{F64s, F64x8, Lanes, WIDTH};
+use crate::store::plain;
 
 /// Marks the unused lanes of a block.
 const NO_PART: u32 = u32::MAX;
 
 /// The balls of one leaf.
+#[derive(Clone, Copy)]
 #[repr(C)]
 pub(super) struct Block {
     center: [F64x8; 3],
     radius: F64x8,
     /// Part of each lane; an unused lane repeats the first one's shape.
     pub(super) part: [u32; WIDTH],
+}
+
+plain! {
+    Block { center: [F64x8; 3], radius: F64x8, part: [u32; WIDTH] }
 }
 
 impl Block {
@@ -27,6 +33,14 @@ impl Block {
             radius: F64s(std::array::from_fn(|k| lane(k).radius)),
             part: std::array::from_fn(|k| spheres.get(k).map_or(NO_PART, |s| s.0)),
         }
+    }
+
+    /// Whether both are the same numbers.
+    pub(super) fn is(&self, other: &Block) -> bool {
+        let same = |a: &F64x8, b: &F64x8| a.0 == b.0;
+        self.part == other.part
+            && same(&self.radius, &other.radius)
+            && (0..3).all(|axis| same(&self.center[axis], &other.center[axis]))
     }
 
     pub(super) fn parts(&self) -> impl Iterator<Item = u32> {

@@ -2,10 +2,11 @@
 //! One axis of a tensor grid of samples: which cell a coordinate is in, exactly and monotonically.
 
 use crate::error::{Error, Result, try_with_capacity};
+use crate::store::{Array, Packer, Unpacker};
 
 /// At least two strictly rising finite coordinates.
 pub(super) struct Axis {
-    nodes: Vec<f64>,
+    nodes: Array<f64>,
     /// Cells per unit of length where the nodes are near enough to evenly spaced; else 0.
     density: f64,
     /// Whether the caller's axis falls, so that samples along it are to be read backwards.
@@ -43,13 +44,22 @@ impl Axis {
         if falling {
             nodes.reverse();
         }
-        let mut axis = Axis { nodes, density: 0.0, falling };
+        let mut axis = Axis { nodes: nodes.into(), density: 0.0, falling };
         // Differences of coordinates must not overflow anywhere.
         if !(axis.hi() - axis.lo()).is_finite() {
             return Err(Error::invalid(format!("{name}: {} to {} is too long", axis.lo(), axis.hi())));
         }
         axis.density = axis.even_density();
         Ok(axis)
+    }
+
+    /// The array that is packed: rising.
+    pub(super) fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.array(&self.nodes);
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Axis> {
+        Axis::new("axis", &from.array("axis")?)
     }
 
     /// Cells per unit of length where every node is within a quarter of a cell of its even place.

@@ -2,6 +2,7 @@
 //! The axis-aligned box.
 
 use super::lanes::BoxValues;
+use super::pack::{CUBOID, pack_box};
 use super::support::numbers;
 use super::{Crossings, Facts, Shape};
 use crate::error::{Error, Result};
@@ -10,6 +11,7 @@ use crate::geometry::points::Points;
 use crate::math::{Aabb, Interval, Vec3};
 use crate::primitive::cuboid;
 use crate::simd::dispatch;
+use crate::store::Packer;
 
 pub(in crate::geometry) struct Cuboid(pub Aabb);
 
@@ -58,8 +60,13 @@ impl Shape for Cuboid {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(2);
+        add(CUBOID);
         numbers(add, self.0.lo.to_array().into_iter().chain(self.0.hi.to_array()));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(CUBOID);
+        pack_box(self.0, out);
     }
 
     fn bytes(&self) -> usize {

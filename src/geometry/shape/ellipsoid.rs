@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The ellipsoid in any orientation.
 
+use super::pack::ELLIPSOID;
 use super::rounded_box::placement;
 use super::support::{UNIT, box_around, numbers};
 use super::{Crossings, Facts, Shape};
@@ -9,6 +10,7 @@ use crate::geometry::build::positive;
 use crate::geometry::placement::Placement;
 use crate::math::{Vec3, unit};
 use crate::primitive::{ellipsoid, sphere};
+use crate::store::{Packer, Unpacker};
 
 pub(in crate::geometry) struct Ellipsoid {
     place: Placement,
@@ -17,7 +19,14 @@ pub(in crate::geometry) struct Ellipsoid {
 
 impl Ellipsoid {
     pub(in crate::geometry) fn new(center: [f64; 3], axes: [f64; 3], rotation: Option<[f64; 9]>) -> Result<Ellipsoid> {
-        let place = placement(center, "center", rotation)?;
+        Ellipsoid::placed(placement(center, "center", rotation)?, axes)
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Ellipsoid> {
+        Ellipsoid::placed(Placement::unpack(from)?, from.numbers()?)
+    }
+
+    fn placed(place: Placement, axes: [f64; 3]) -> Result<Ellipsoid> {
         for (k, &e) in axes.iter().enumerate() {
             positive(&format!("semi_axes[{k}]"), e)?;
         }
@@ -65,8 +74,14 @@ impl Shape for Ellipsoid {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(28);
+        add(ELLIPSOID);
         numbers(add, self.place.numbers().chain(self.body.axes().to_array()));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(ELLIPSOID);
+        self.place.pack(out);
+        out.vector(self.body.axes());
     }
 
     fn bytes(&self) -> usize {

@@ -2,6 +2,7 @@
 //! Prisms: a polygon drawn along the third axis of a frame.
 
 use super::outline::Outline;
+use super::pack::EXTRUDED;
 use super::rounded_box::placement;
 use super::support::{UNIT, numbers, widened};
 use super::{Facts, Shape};
@@ -10,6 +11,7 @@ use crate::geometry::build::{between, direction, finite, finite_number, positive
 use crate::geometry::placement::Placement;
 use crate::math::{Aabb, Vec3, length, unit};
 use crate::primitive::profile::length2;
+use crate::store::{Packer, Unpacker, wrong};
 
 /// Most sides of a regular prism; a cylinder is the better answer beyond.
 const MAX_SIDES: u32 = 1000;
@@ -56,6 +58,12 @@ impl Extruded {
         let [u, v, w] = [first, second, axis];
         let place = Placement::new([u.x, v.x, w.x, u.y, v.y, w.y, u.z, v.z, w.z], finite("a", a)?)?;
         Ok(Extruded { place, outline: Outline::of(&points, |_, _| true)?, lo: 0.0, hi })
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Extruded> {
+        let (place, [lo, hi]) = (Placement::unpack(from)?, from.numbers()?);
+        let outline = Outline::unpack(from)?;
+        if lo < hi { Ok(Extruded { place, outline, lo, hi }) } else { Err(wrong("a prism ends before it begins")) }
     }
 
     pub(in crate::geometry) fn polygon(
@@ -118,8 +126,15 @@ impl Shape for Extruded {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(27);
+        add(EXTRUDED);
         numbers(add, self.place.numbers().chain([self.lo, self.hi]).chain(self.outline.corners().flatten()));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(EXTRUDED);
+        self.place.pack(out);
+        out.numbers([self.lo, self.hi]);
+        self.outline.pack(out);
     }
 
     fn bytes(&self) -> usize {

@@ -6,10 +6,12 @@
 
 use super::axis::{Axis, Place, between};
 use super::height_field::{length_above, ordered, slope_above};
+use super::pack::{GRID, aabb, pack_box};
 use super::pyramid::{Pyramid, each};
 use super::{Facts, Shape};
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Interval, Vec3};
+use crate::store::{Array, Packer, Unpacker, wrong};
 
 /// A computed value lies within this much of the greatest magnitude of its cell's corners: three
 /// interpolations of three roundings each, nearly twice over.
@@ -22,9 +24,11 @@ const TINY: f64 = 16.0 * f64::MIN_POSITIVE;
 pub(crate) struct Grid {
     axes: [Axis; 3],
     /// x fastest, all axes rising.
-    values: Vec<f64>,
+    values: Array<f64>,
     pyramid: Pyramid,
     lipschitz: f64,
+    /// Around what may be inside, and what may be outside.
+    around: [Aabb; 2],
 }
 
 impl Grid {
@@ -33,9 +37,21 @@ impl Grid {
         let axes = [Axis::new("x", axes[0])?, Axis::new("y", axes[1])?, Axis::new("z", axes[2])?];
         let values = ordered("values", [Some(&axes[0]), Some(&axes[1]), Some(&axes[2])], values)?;
         let pyramid = Pyramid::new(axes.each_ref().map(Axis::len), &values)?;
-        let mut grid = Grid { axes, values, pyramid, lipschitz: 0.0 };
+        let mut grid = Grid { axes, values: values.into(), pyramid, lipschitz: 0.0, around: [Aabb::ALL; 2] };
         grid.lipschitz = grid.greatest_slope();
+        grid.around = [grid.around(|v| v <= TINY), grid.around(|v| v >= -TINY)];
         if grid.lipschitz < 1e150 { Ok(grid) } else { Err(Error::invalid("values: a slope is above 1e150")) }
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Grid> {
+        let axes = [Axis::unpack(from)?, Axis::unpack(from)?, Axis::unpack(from)?];
+        let (values, pyramid) = Pyramid::unpack(from, axes.each_ref().map(Axis::len))?;
+        let (lipschitz, around) = (from.finite()?, [aabb(from)?, aabb(from)?]);
+        if (0.0..1e150).contains(&lipschitz) {
+            Ok(Grid { axes, values, pyramid, lipschitz, around })
+        } else {
+            Err(wrong("a slope is out of range"))
+        }
     }
 
     /// The corners of a cell, x fastest.
@@ -116,8 +132,8 @@ impl Shape for Grid {
     fn facts(&self) -> Facts {
         let all = self.pyramid.all();
         Facts {
-            bounds: self.around(|v| v <= TINY),
-            rest: self.around(|v| v >= -TINY),
+            bounds: self.around[0],
+            rest: self.around[1],
             exact: false,
             lipschitz: self.lipschitz,
             spread: f64::INFINITY,
@@ -140,12 +156,21 @@ impl Shape for Grid {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(41);
+        add(GRID);
         for axis in &self.axes {
             add(axis.len() as u64);
             axis.nodes().iter().for_each(|x| add(x.to_bits()));
         }
         self.values.iter().for_each(|v| add(v.to_bits()));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(GRID);
+        self.axes.iter().for_each(|axis| axis.pack(out));
+        out.array(&self.values);
+        self.pyramid.pack(out);
+        out.number(self.lipschitz);
+        self.around.iter().for_each(|b| pack_box(*b, out));
     }
 
     fn bytes(&self) -> usize {

@@ -3,10 +3,12 @@
 //! over the greatest slope's secant, a lower bound of the distance (Hart 1996, section 2.3).
 
 use super::axis::{Axis, between};
+use super::pack::HEIGHT_FIELD;
 use super::pyramid::Pyramid;
 use super::{Facts, Shape};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Interval, Vec3};
+use crate::store::{Array, Packer, Unpacker, wrong};
 
 /// A computed height lies within this much of the greatest magnitude of its patch's corners: two
 /// interpolations of three roundings each, twice over.
@@ -16,7 +18,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 pub(crate) struct HeightField {
     axes: [Axis; 2],
     /// x fastest, both axes rising.
-    heights: Vec<f64>,
+    heights: Array<f64>,
     pyramid: Pyramid,
     /// sqrt(1 + g^2), rounded up, g the greatest slope.
     secant: f64,
@@ -62,10 +64,21 @@ impl HeightField {
         let axes = [Axis::new("x", axes[0])?, Axis::new("y", axes[1])?];
         let heights = ordered("heights", [Some(&axes[0]), Some(&axes[1]), None], heights)?;
         let pyramid = Pyramid::new([axes[0].len(), axes[1].len(), 1], &heights)?;
-        let mut field = HeightField { axes, heights, pyramid, secant: 1.0 };
+        let mut field = HeightField { axes, heights: heights.into(), pyramid, secant: 1.0 };
         field.secant = field.greatest_secant();
         // Beyond that the value's own digits run out.
         if field.secant < 1e150 { Ok(field) } else { Err(Error::invalid("heights: a slope is above 1e150")) }
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<HeightField> {
+        let axes = [Axis::unpack(from)?, Axis::unpack(from)?];
+        let (heights, pyramid) = Pyramid::unpack(from, [axes[0].len(), axes[1].len(), 1])?;
+        let secant = from.finite()?;
+        if (1.0..1e150).contains(&secant) {
+            Ok(HeightField { axes, heights, pyramid, secant })
+        } else {
+            Err(wrong("a slope is out of range"))
+        }
     }
 
     /// In a patch each partial derivative is linear along the other axis: the slope is greatest at a corner.
@@ -180,12 +193,20 @@ impl Shape for HeightField {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(40);
+        add(HEIGHT_FIELD);
         for axis in &self.axes {
             add(axis.len() as u64);
             axis.nodes().iter().for_each(|x| add(x.to_bits()));
         }
         self.heights.iter().for_each(|h| add(h.to_bits()));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(HEIGHT_FIELD);
+        self.axes.iter().for_each(|axis| axis.pack(out));
+        out.array(&self.heights);
+        self.pyramid.pack(out);
+        out.number(self.secant);
     }
 
     fn bytes(&self) -> usize {

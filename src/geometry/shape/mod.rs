@@ -10,6 +10,7 @@ mod grid;
 mod height_field;
 mod lanes;
 mod outline;
+mod pack;
 mod perlin;
 mod plane;
 mod profiles;
@@ -31,6 +32,7 @@ pub use expression::ExpressionOptions;
 pub(super) use extruded::Extruded;
 pub(crate) use grid::Grid;
 pub(crate) use height_field::HeightField;
+pub(super) use pack::unpack;
 pub(super) use perlin::Perlin;
 pub(super) use plane::Plane;
 pub(super) use revolved::Revolved;
@@ -39,6 +41,7 @@ pub(super) use sphere::Sphere;
 
 use super::points::Points;
 use crate::math::{Aabb, Interval, Vec3};
+use crate::store::Packer;
 
 /// A leaf that knows its value, its gradient and the facts that the tree above it needs.
 pub(crate) trait Shape: Send + Sync {
@@ -77,6 +80,9 @@ pub(crate) trait Shape: Send + Sync {
     /// Feeds the numbers that define the shape, and nothing else, to `add`; the first tells the kind of
     /// shape apart from all others.
     fn words(&self, add: &mut dyn FnMut(u64));
+
+    /// The same to the bit, with whatever would take long to find anew, for a block.
+    fn pack<'a>(&'a self, out: &mut Packer<'a>);
 
     /// Memory of the shape in bytes, what it holds on the heap included.
     fn bytes(&self) -> usize;

@@ -4,6 +4,7 @@
 use crate::error::{Error, Result, try_with_capacity};
 use crate::primitive::outline::{Edge, folds_back, segments_meet, signed};
 use crate::primitive::polygon::turn;
+use crate::store::{Packer, Unpacker, wrong};
 
 /// Most corners: every pair of edges is tested, and each value looks at all of them.
 pub(super) const MAX_CORNERS: usize = 10_000;
@@ -54,6 +55,30 @@ impl Outline {
             convex: (0..n).all(|k| turn(points[k], points[(k + 1) % n], points[(k + 2) % n]) >= 0.0),
             axis: None,
         })
+    }
+
+    pub(super) fn pack(&self, out: &mut Packer) {
+        out.word(self.edges.len() as u64);
+        out.numbers(self.corners().flatten());
+        out.numbers([self.lo, self.hi].concat());
+        out.word(u64::from(self.convex));
+        out.word(u64::from(self.axis.is_some()));
+        let (lo, hi) = self.axis.unwrap_or_default();
+        out.numbers([lo, hi]);
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Outline> {
+        let count = from.count(4, "edges")?;
+        let mut edges = try_with_capacity("edges", count)?;
+        for _ in 0..count {
+            edges.push(Edge::new(from.numbers()?, from.numbers()?));
+        }
+        let (lo, hi, convex, has_axis) = (from.numbers()?, from.numbers()?, from.flag()?, from.flag()?);
+        let [below, above] = from.numbers()?;
+        match edges.len() {
+            1..=MAX_CORNERS => Ok(Outline { edges, lo, hi, convex, axis: has_axis.then_some((below, above)) }),
+            n => Err(wrong(&format!("a polygon has {n} edges"))),
+        }
     }
 
     /// Signed distance and its gradient.

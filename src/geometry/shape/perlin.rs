@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Perlin noise, summed over octaves (Perlin 2002).
 
+use super::pack::PERLIN;
 use super::support::numbers;
 use super::{Facts, Shape};
 use crate::error::{Error, Result};
 use crate::geometry::build::{not_negative, positive};
 use crate::math::{Aabb, Interval, Vec3};
 use crate::primitive::noise;
+use crate::store::{Packer, Unpacker};
 
 const MAX_OCTAVES: u32 = 16;
 
@@ -41,6 +43,12 @@ impl Perlin {
             return Err(Error::invalid(format!("amplitude: {amplitude:e} makes values without bound")));
         }
         Ok(shape)
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Perlin> {
+        let (amplitude, frequency, persistence) = (from.finite()?, from.numbers()?, from.finite()?);
+        let octaves = from.index(1 << 31, "octaves")? as u32;
+        Perlin::new(amplitude, frequency, persistence, octaves, from.word()?)
     }
 
     /// Factor of the coordinates and of the noise, octave by octave.
@@ -90,10 +98,19 @@ impl Shape for Perlin {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(29);
+        add(PERLIN);
         numbers(add, self.frequency.to_array().into_iter().chain([self.amplitude, self.persistence]));
         add(u64::from(self.octaves));
         add(self.seed);
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(PERLIN);
+        out.number(self.amplitude);
+        out.vector(self.frequency);
+        out.number(self.persistence);
+        out.word(u64::from(self.octaves));
+        out.word(self.seed);
     }
 
     fn bytes(&self) -> usize {

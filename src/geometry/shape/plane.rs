@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The half space behind a plane.
 
+use super::pack::{PLANE, unit};
 use super::support::{UNIT, numbers};
 use super::{Facts, Shape};
 use crate::error::Result;
 use crate::geometry::build::{direction, finite};
 use crate::math::{Aabb, Interval, Vec3};
+use crate::store::{Packer, Unpacker};
 
 pub(in crate::geometry) struct Plane {
     point: Vec3,
@@ -16,6 +18,10 @@ impl Plane {
     /// The normal points out of the body.
     pub(in crate::geometry) fn new(point: [f64; 3], normal: [f64; 3]) -> Result<Plane> {
         Ok(Plane { point: finite("point", point)?, normal: direction("normal", normal)? })
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Plane> {
+        Ok(Plane { point: from.vector()?, normal: unit(from)? })
     }
 
     /// Where the plane crosses axis `k`, for a normal along it: the computed value's sign is exact there.
@@ -57,8 +63,14 @@ impl Shape for Plane {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(20);
+        add(PLANE);
         numbers(add, self.point.to_array().into_iter().chain(self.normal.to_array()));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(PLANE);
+        out.vector(self.point);
+        out.vector(self.normal);
     }
 
     fn bytes(&self) -> usize {

@@ -4,6 +4,7 @@
 use super::outline::Outline;
 use super::revolved::Profile;
 use crate::primitive::profile::{Cone, Ring, Slab, Wedge, length2};
+use crate::store::Packer;
 
 impl Profile for Ring {
     const KIND: u64 = 21;
@@ -151,6 +152,10 @@ impl Profile for Outline {
 
     fn numbers(&self, add: &mut dyn FnMut(f64)) {
         self.corners().flatten().for_each(add);
+    }
+
+    fn pack(&self, out: &mut Packer) {
+        Outline::pack(self, out);
     }
 
     fn heap(&self) -> usize {

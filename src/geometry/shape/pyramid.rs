@@ -3,6 +3,7 @@
 
 use crate::error::{Result, try_with_capacity};
 use crate::math::Interval;
+use crate::store::{Array, Packer, Unpacker, wrong};
 
 /// Blocks on an edge of a block of the level above.
 const SIDE: usize = 4;
@@ -20,7 +21,7 @@ pub(super) struct Pyramid {
 
 struct Level {
     n: [usize; 3],
-    ranges: Vec<Interval>,
+    ranges: Array<Interval>,
 }
 
 /// Where a box of a tensor grid is in its array, x fastest.
@@ -68,11 +69,35 @@ impl Pyramid {
                 });
                 ranges.push(range);
             });
-            levels.push(Level { n: blocks, ranges });
+            levels.push(Level { n: blocks, ranges: ranges.into() });
             if blocks == [1; 3] {
                 return Ok(Pyramid { levels, n });
             }
         }
+    }
+
+    pub(super) fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        self.levels.iter().for_each(|level| out.array(&level.ranges));
+    }
+
+    /// Samples, of which there are at least two along some axis, and what was found of them.
+    pub(super) fn unpack(from: &mut Unpacker, n: [usize; 3]) -> Result<(Array<f64>, Pyramid)> {
+        let count = n.iter().try_fold(1usize, |count, &n| count.checked_mul(n));
+        let samples = from.array_of::<f64>("samples", count.ok_or_else(|| wrong("a grid is too large"))?)?;
+        let mut pyramid = Pyramid { levels: Vec::new(), n };
+        while pyramid.levels.last().is_none_or(|level| level.n != [1; 3]) {
+            let blocks = pyramid.levels.last().map_or(n, |level| level.n).map(|n| n.div_ceil(SIDE));
+            let ranges = from.array_of("ranges", blocks.iter().product())?;
+            pyramid.levels.push(Level { n: blocks, ranges });
+        }
+        if from.checks() {
+            let anew = Pyramid::new(n, &samples)?;
+            let mut pairs = anew.levels.iter().zip(&pyramid.levels);
+            if !samples.iter().all(|x| x.is_finite()) || !pairs.all(|(a, b)| a.ranges[..] == b.ranges[..]) {
+                return Err(wrong("a grid holds what is no number, or ranges of others"));
+            }
+        }
+        Ok((samples, pyramid))
     }
 
     /// The least and the greatest of all samples.

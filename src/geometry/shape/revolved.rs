@@ -4,6 +4,7 @@
 use super::support::{UNIT, across, box_around, numbers};
 use super::{Facts, Shape};
 use crate::math::{Vec3, length, unit};
+use crate::store::Packer;
 
 /// A signed distance in the half plane, which the solid inherits.
 pub(in crate::geometry) trait Profile: Send + Sync {
@@ -27,6 +28,11 @@ pub(in crate::geometry) trait Profile: Send + Sync {
 
     /// The numbers that define it.
     fn numbers(&self, add: &mut dyn FnMut(f64));
+
+    /// The same, with whatever else there is.
+    fn pack(&self, out: &mut Packer) {
+        self.numbers(&mut |x| out.number(x));
+    }
 
     /// Memory on the heap.
     fn heap(&self) -> usize {
@@ -87,6 +93,13 @@ impl<P: Profile> Shape for Revolved<P> {
         add(P::KIND);
         numbers(add, self.origin.to_array().into_iter().chain(self.axis.to_array()));
         self.profile.numbers(&mut |x| add((x + 0.0).to_bits()));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(P::KIND);
+        out.vector(self.origin);
+        out.vector(self.axis);
+        self.profile.pack(out);
     }
 
     fn bytes(&self) -> usize {

@@ -2,13 +2,15 @@
 //! A box in any orientation, its edges rounded or not: the distance to its core less the rounding, exact
 //! inside too because both only move planes.
 
+use super::pack::{ROUNDED_BOX, not_negative};
 use super::support::{UNIT, box_around, numbers};
 use super::{Crossings, Facts, Shape};
 use crate::error::{Error, Result};
-use crate::geometry::build::{finite, not_negative, positive};
+use crate::geometry::build::{self, finite, positive};
 use crate::geometry::placement::Placement;
 use crate::math::{Aabb, Mat3, Vec3};
 use crate::primitive::cuboid;
+use crate::store::{Packer, Unpacker};
 
 pub(in crate::geometry) struct RoundedBox {
     place: Placement,
@@ -29,11 +31,17 @@ impl RoundedBox {
             positive(&format!("half[{k}]"), h)?;
         }
         let half = Vec3::from_array(half);
-        let (radius, most) = (not_negative("radius", radius)?, half.min_element());
+        let (radius, most) = (build::not_negative("radius", radius)?, half.min_element());
         if radius > most {
             return Err(Error::invalid(format!("radius: {radius} is above the least half size {most}")));
         }
         let core = half - Vec3::splat(radius);
+        Ok(RoundedBox { place, core: Aabb::new(-core, core), radius })
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<RoundedBox> {
+        let (place, core) = (Placement::unpack(from)?, Vec3::from_array(not_negative(from)?));
+        let [radius] = not_negative(from)?;
         Ok(RoundedBox { place, core: Aabb::new(-core, core), radius })
     }
 }
@@ -73,8 +81,15 @@ impl Shape for RoundedBox {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(26);
+        add(ROUNDED_BOX);
         numbers(add, self.place.numbers().chain(self.core.hi.to_array()).chain([self.radius]));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(ROUNDED_BOX);
+        self.place.pack(out);
+        out.vector(self.core.hi);
+        out.number(self.radius);
     }
 
     fn bytes(&self) -> usize {

@@ -82,11 +82,8 @@ impl Revolved<Cone> {
         let (origin, axis) = (finite("tip", tip)?, direction("axis", axis)?);
         let height = positive("height", height)?;
         let (sin, cos) = half_angle("angle", angle)?;
-        let (radius, slant) = (height * (sin / cos), height / cos);
-        if !(radius > 0.0 && slant.is_finite()) {
-            return Err(Error::invalid(format!("angle: {angle} gives a base of radius {radius}")));
-        }
-        Ok(Revolved { origin, axis, profile: Cone { wedge: Wedge { sin, cos }, height, radius, slant } })
+        let no_base = || Error::invalid(format!("angle: {angle} gives a base of radius {}", height * (sin / cos)));
+        Ok(Revolved { origin, axis, profile: Cone::new(sin, cos, height).ok_or_else(no_base)? })
     }
 }
 

@@ -2,6 +2,7 @@
 //! The ball.
 
 use super::lanes::BallValues;
+use super::pack::SPHERE;
 use super::support::{box_around, numbers};
 use super::{Crossings, Facts, Shape};
 use crate::error::Result;
@@ -10,6 +11,7 @@ use crate::geometry::points::Points;
 use crate::math::{Aabb, Interval, Vec3, length};
 use crate::primitive::sphere;
 use crate::simd::dispatch;
+use crate::store::Packer;
 
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geometry) struct Sphere {
@@ -68,8 +70,14 @@ impl Shape for Sphere {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(1);
+        add(SPHERE);
         numbers(add, self.center.to_array().into_iter().chain([self.radius]));
+    }
+
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(SPHERE);
+        out.vector(self.center);
+        out.number(self.radius);
     }
 
     fn bytes(&self) -> usize {

@@ -11,6 +11,7 @@ use crate::mesh::{HalfEdges, Mesh};
 use crate::parallel::Run;
 use crate::primitive::estimate::Estimates;
 use crate::simd::lanes::WIDTH;
+use crate::store::Array;
 use std::sync::Arc;
 
 impl Surface {
@@ -25,7 +26,7 @@ impl Surface {
             return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
         }
         let (triangles, neighbours) = shape(mesh, topology, run)?;
-        let kept = Kept { triangles: Arc::new(triangles), topology: Arc::new(neighbours), asked: (options.sign, sign) };
+        let kept = Kept { triangles: Arc::new(triangles), topology: neighbours.into(), asked: (options.sign, sign) };
         let (vertices, pieces) = (mesh.vertices(), mesh.triangles());
         let bounds = |t: usize| Aabb::of(pieces[t].corners(vertices));
         let silent = run.silent();
@@ -44,9 +45,9 @@ impl Surface {
         self.sides = Sides::new(&self)?;
         match accelerator {
             Accelerator::Auto => {}
-            Accelerator::None => (self.tree, self.leaves) = (None, Vec::new()),
+            Accelerator::None => (self.tree, self.leaves) = (None, Array::default()),
             Accelerator::Compact => {
-                (self.compact, self.leaves) = (Some(leaves), Vec::new());
+                (self.compact, self.leaves) = (Some(leaves), Array::default());
                 self.tree = self.tree.map(Tree::without_fit);
             }
         }
@@ -90,15 +91,15 @@ impl Surface {
         let bounds = boxes.into_iter().fold(Aabb::EMPTY, Aabb::hull);
         let sign = kept.asked.1;
         let mut surface = Surface {
-            leaves,
+            leaves: leaves.into(),
             compact: None,
             tree: Some(tree),
-            vertices,
+            vertices: vertices.into(),
             triangles: kept.triangles,
-            normals,
+            normals: normals.into(),
             neighbours: kept.topology.clone(),
             topology: kept.topology,
-            vertex_normals,
+            vertex_normals: vertex_normals.into(),
             bounds,
             diagonal: bounds.diagonal(),
             sign,
@@ -167,17 +168,17 @@ fn shape(mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<(Triangles, Vec
     })?;
     let mut vertex = try_with_capacity("triangles", triangles.len())?;
     vertex.extend(triangles.iter().map(|t| t.vertices));
-    let mut laid_out = Triangles { vertex, origin: Vec::new() };
+    let mut origin = Vec::new();
     // Nothing is kept where there is nothing to keep.
     if triangles.iter().zip(0..).any(|(t, k)| t.face != k || t.turned || mesh.tag(t.face) != 0) {
-        laid_out.origin = try_with_capacity("triangles", triangles.len())?;
+        origin = try_with_capacity("triangles", triangles.len())?;
         let mut first = 0;
-        laid_out.origin.extend(triangles.iter().enumerate().map(|(k, t)| {
+        origin.extend(triangles.iter().enumerate().map(|(k, t)| {
             if triangles[first].face != t.face {
                 first = k;
             }
             Origin { face: t.face, tag: mesh.tag(t.face), piece: 2 * (k - first) as u32 + u32::from(t.turned) }
         }));
     }
-    Ok((laid_out, neighbours))
+    Ok((Triangles { vertex: vertex.into(), origin: origin.into() }, neighbours))
 }

@@ -79,9 +79,10 @@ impl Surface {
                 }
             }
         }
+        let vertex_normals = self.vertex_normals.edit("normals")?;
         for t in all.filter(|&t| doubts.has(t)) {
             for v in self.triangles.vertex[t as usize] {
-                self.vertex_normals[v as usize] = Vec3::ZERO;
+                vertex_normals[v as usize] = Vec3::ZERO;
             }
         }
         self.doubts = doubts;

@@ -12,6 +12,7 @@ mod cube;
 mod few;
 mod nearest;
 mod normals;
+mod pack;
 mod refit;
 mod scanned;
 mod sides;
@@ -34,6 +35,7 @@ use crate::primitive::estimate::Estimates;
 use crate::primitive::overlap::are_apart;
 use crate::primitive::triangle::RELATIVE_ERROR;
 use crate::simd::lanes::WIDTH;
+use crate::store::{Array, plain};
 use std::sync::Arc;
 
 /// Marks the unused lanes of a block.
@@ -57,15 +59,21 @@ struct Leaf {
     triangle: [u32; WIDTH],
 }
 
+plain! {
+    Leaf { estimates: Estimates, triangle: [u32; WIDTH] }
+    Origin { face: u32, tag: i32, piece: u32 }
+}
+
 /// The corners of the triangles, and where they come from.
 struct Triangles {
-    vertex: Vec<[u32; 3]>,
+    vertex: Array<[u32; 3]>,
     /// Nothing where each triangle is the face of its number, as read and without a tag.
-    origin: Vec<Origin>,
+    origin: Array<Origin>,
 }
 
 /// The input face that a triangle belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
 struct Origin {
     face: u32,
     tag: i32,
@@ -94,21 +102,21 @@ impl Triangles {
 
 /// Signed or unsigned distance to a triangle surface. Immutable.
 pub(crate) struct Surface {
-    leaves: Vec<Leaf>,
+    leaves: Array<Leaf>,
     /// In the compact layout, where there are no `leaves`: the triangles of each.
     compact: Option<Leaves>,
     /// None: every triangle is looked at.
     tree: Option<Tree>,
-    vertices: Vec<Vec3>,
+    vertices: Array<Vec3>,
     triangles: Arc<Triangles>,
     /// Unit normals of the triangles; zero where the area is.
-    normals: Vec<Vec3>,
+    normals: Array<Vec3>,
     /// The triangles across the edges 0-1, 1-2, 2-0 of each, [`ALONE`] or [`UNCLEAR`].
-    neighbours: Arc<Vec<[u32; 3]>>,
+    neighbours: Array<[u32; 3]>,
     /// The same without [`UNCLEAR`].
-    topology: Arc<Vec<[u32; 3]>>,
+    topology: Array<[u32; 3]>,
     /// Pseudonormal of each vertex; zero where it decides nothing.
-    vertex_normals: Vec<Vec3>,
+    vertex_normals: Array<Vec3>,
     bounds: Aabb,
     diagonal: f64,
     sign: Sign,
@@ -125,22 +133,22 @@ pub(crate) struct Surface {
 /// What stays when the vertices move.
 struct Kept {
     triangles: Arc<Triangles>,
-    topology: Arc<Vec<[u32; 3]>>,
+    topology: Array<[u32; 3]>,
     asked: (SignMethod, Sign),
 }
 
 /// A set of triangles; no memory where it is empty.
 #[derive(Clone, Debug, Default)]
 struct Doubts {
-    bits: Vec<u64>,
+    bits: Array<u64>,
 }
 
 impl Doubts {
     fn add(&mut self, t: u32, of: usize) -> Result<()> {
         if self.bits.is_empty() {
-            self.bits = filled("triangles", of.div_ceil(64), 0)?;
+            self.bits = filled("triangles", of.div_ceil(64), 0)?.into();
         }
-        self.bits[t as usize / 64] |= 1 << (t % 64);
+        self.bits.edit("triangles")?[t as usize / 64] |= 1 << (t % 64);
         Ok(())
     }
 
@@ -217,7 +225,7 @@ impl Surface {
             + self.triangles.bytes()
             + size_of_val(&self.normals[..])
             + size_of_val(&self.neighbours[..])
-            + if Arc::ptr_eq(&self.neighbours, &self.topology) { 0 } else { size_of_val(&self.topology[..]) }
+            + if self.neighbours.is(&self.topology) { 0 } else { size_of_val(&self.topology[..]) }
             + size_of_val(&self.vertex_normals[..])
             + size_of_val(&self.doubts.bits[..])
             + self.sides.bytes()

@@ -3,12 +3,11 @@
 //! 1998), triangle by triangle and vertex by vertex, and which of them say nothing of the surface.
 
 use super::{PIECE, Surface, UNCLEAR};
-use crate::error::{Result, filled, try_copy, try_with_capacity};
+use crate::error::{Result, filled, try_with_capacity};
 use crate::math::Vec3;
 use crate::mesh::{HalfEdges, normal_and_angles};
 use crate::parallel::Run;
 use std::collections::HashSet;
-use std::sync::Arc;
 
 /// The normal of a triangle and what its corners add to the pseudonormals there.
 #[derive(Clone, Copy)]
@@ -57,7 +56,7 @@ impl Surface {
     /// the crossings: at triangles without area, and at vertices where several fans of triangles meet. `topology` is
     /// that of the triangles.
     pub(super) fn distrust_unclear_normals(&mut self, topology: &HalfEdges, run: &Run) -> Result<()> {
-        run.for_each_piece(&mut self.vertex_normals, PIECE, &|from, normals| {
+        run.for_each_piece(self.vertex_normals.edit("normals")?, PIECE, &|from, normals| {
             for (normal, v) in normals.iter_mut().zip(from..) {
                 let outgoing = topology.outgoing(v as u32);
                 if outgoing.first().is_none_or(|&h| topology.around_vertex(h).count() != outgoing.len()) {
@@ -67,11 +66,11 @@ impl Surface {
             Ok(())
         })?;
         let mut edges = HashSet::new();
-        for t in 0..self.triangles.len() {
-            if self.normal(t as u32) == Vec3::ZERO {
-                let v = self.triangles.vertex[t];
+        let vertex_normals = self.vertex_normals.edit("normals")?;
+        for (v, normal) in self.triangles.vertex.iter().zip(&self.normals) {
+            if *normal == Vec3::ZERO {
                 for k in 0..3 {
-                    self.vertex_normals[v[k] as usize] = Vec3::ZERO;
+                    vertex_normals[v[k] as usize] = Vec3::ZERO;
                     edges.insert(undirected(v[k], v[(k + 1) % 3]));
                 }
             }
@@ -92,11 +91,7 @@ impl Surface {
 
     /// Makes sure that no other surface shares the neighbours, which are going to be marked.
     pub(super) fn own_neighbours(&mut self) -> Result<&mut [[u32; 3]]> {
-        if Arc::get_mut(&mut self.neighbours).is_none() {
-            self.neighbours = Arc::new(try_copy("neighbours", &self.neighbours)?);
-        }
-        // Nobody else can have got hold of it.
-        Ok(Arc::get_mut(&mut self.neighbours).map_or(&mut [], |own| &mut own[..]))
+        self.neighbours.edit("neighbours")
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::{Kept, PIECE, Sign, Surface};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
-use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
+use crate::error::{Error, Result, Status, filled, try_with_capacity};
 use crate::geometry::{Accelerator, RefitCheck};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::{self, HalfEdges, LARGEST_COORDINATE, SMALLEST_DIAGONAL, Triangle};
@@ -39,7 +39,7 @@ impl Surface {
             (Sign::Pseudonormal, RefitCheck::Check) => surface.check_embedding(&triangles, &topology, &order, run)?,
             (Sign::Pseudonormal, RefitCheck::Trust) => {
                 surface.sign = self.sign;
-                surface.doubt(super::Doubts { bits: try_copy("triangles", &self.doubts.bits)? })?;
+                surface.doubt(self.doubts.clone())?;
             }
             _ => {}
         }
@@ -121,6 +121,6 @@ impl Surface {
             order.extend(self.members(leaf));
             start.push(order.len() as u32);
         }
-        Ok(Leaves { order, start })
+        Ok(Leaves { order: order.into(), start: start.into() })
     }
 }

@@ -7,9 +7,11 @@ use crate::error::{Result, filled};
 use crate::math::{Aabb, Vec3};
 use crate::primitive::overlap::are_apart;
 use crate::primitive::triangle::RELATIVE_ERROR;
+use crate::store::{Array, Packer, Unpacker, wrong};
 
 /// Cells along each axis: a row of them is a word.
 const CELLS: usize = 32;
+const OF_ROWS: usize = CELLS * CELLS;
 
 /// Regions of empty cells whose side is asked for; others stay unknown.
 const MOST_REGIONS: usize = 256;
@@ -26,8 +28,8 @@ pub(super) struct Sides {
     lo: Vec3,
     /// Cells a unit of length.
     density: Vec3,
-    outside: Vec<u32>,
-    inside: Vec<u32>,
+    outside: Array<u32>,
+    inside: Array<u32>,
 }
 
 impl Sides {
@@ -61,12 +63,13 @@ impl Sides {
             }
         }
         sides.settle(surface, &mut cells)?;
-        sides.outside = filled("cells", CELLS * CELLS, 0)?;
-        sides.inside = filled("cells", CELLS * CELLS, 0)?;
+        let mut outside = filled("cells", CELLS * CELLS, 0)?;
+        let mut inside = filled("cells", CELLS * CELLS, 0)?;
         for (index, cell) in cells.into_iter().enumerate() {
-            sides.outside[index / CELLS] |= u32::from(cell == OUTSIDE) << (index % CELLS);
-            sides.inside[index / CELLS] |= u32::from(cell == INSIDE) << (index % CELLS);
+            outside[index / CELLS] |= u32::from(cell == OUTSIDE) << (index % CELLS);
+            inside[index / CELLS] |= u32::from(cell == INSIDE) << (index % CELLS);
         }
+        (sides.outside, sides.inside) = (outside.into(), inside.into());
         Ok(sides)
     }
 
@@ -124,6 +127,25 @@ impl Sides {
         match self.outside[CELLS * k + j] >> i & 1 == 1 {
             true => i32::from(all(&self.outside)),
             false => -i32::from(all(&self.inside)),
+        }
+    }
+
+    pub(super) fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.vector(self.lo);
+        out.numbers(self.density.to_array());
+        out.array(&self.outside);
+        out.array(&self.inside);
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Sides> {
+        let lo = from.vector()?;
+        let density = Vec3::new(from.number()?, from.number()?, from.number()?);
+        let (outside, inside) = (from.array("cells")?, from.array("cells")?);
+        let sides = Sides { lo, density, outside, inside };
+        match (sides.outside.len(), sides.inside.len()) {
+            (0, 0) => Ok(sides),
+            (OF_ROWS, OF_ROWS) if sides.density.is_finite() && sides.density.cmpge(Vec3::ZERO).all() => Ok(sides),
+            _ => Err(wrong("the cells of a surface are damaged")),
         }
     }
 

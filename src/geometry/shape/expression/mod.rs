@@ -14,9 +14,11 @@ mod parse;
 mod program;
 mod slope;
 
+use super::pack::{EXPRESSION, aabb, pack_box};
 use super::{Facts, Shape};
 use crate::error::{Error, Result, try_with_capacity};
 use crate::math::{Aabb, Interval, Vec3, unit};
+use crate::store::{Array, Packer, Unpacker, wrong};
 use gradient::Gradient;
 use number::{Enclosure, Number};
 use program::Program;
@@ -38,7 +40,7 @@ impl Default for ExpressionOptions {
 
 /// An expression, compiled.
 pub(crate) struct Expression {
-    text: Vec<u8>,
+    text: Array<u8>,
     program: Program,
     bounds: Aabb,
     /// Within the bounds; infinite where unknown.
@@ -63,7 +65,16 @@ impl Expression {
         let lipschitz = if given > 0.0 { given } else { slope::lipschitz(&program, bounds) };
         let mut copy = try_with_capacity("bytes", text.len())?;
         copy.extend_from_slice(text.as_bytes());
-        Ok(Expression { text: copy, program, bounds, lipschitz })
+        Ok(Expression { text: copy.into(), program, bounds, lipschitz })
+    }
+
+    pub(super) fn unpack(from: &mut Unpacker) -> Result<Expression> {
+        let (text, bounds, lipschitz) = (from.array::<u8>("text")?, aabb(from)?, from.number()?);
+        if bounds.is_empty() || lipschitz < 0.0 {
+            return Err(wrong("an expression has no bounds"));
+        }
+        let words = str::from_utf8(&text).map_err(|_| wrong("an expression is no text"))?;
+        Ok(Expression { program: parse::parse(words)?, text, bounds, lipschitz })
     }
 
     /// The factor of the distance to the bounds: > 0, 1 where no constant is known.
@@ -171,7 +182,7 @@ impl Shape for Expression {
     }
 
     fn words(&self, add: &mut dyn FnMut(u64)) {
-        add(42);
+        add(EXPRESSION);
         add(self.text.len() as u64);
         self.text.iter().for_each(|byte| add(u64::from(*byte)));
         for corner in [self.bounds.lo, self.bounds.hi] {
@@ -180,8 +191,15 @@ impl Shape for Expression {
         add(self.lipschitz.to_bits());
     }
 
+    fn pack<'a>(&'a self, out: &mut Packer<'a>) {
+        out.word(EXPRESSION);
+        out.array(&self.text);
+        pack_box(self.bounds, out);
+        out.number(self.lipschitz);
+    }
+
     fn bytes(&self) -> usize {
-        size_of::<Expression>() + self.text.capacity() + self.program.bytes()
+        size_of::<Expression>() + self.text.len() + self.program.bytes()
     }
 }
 
