@@ -311,10 +311,6 @@
 // emb_geom_bounding_box: no part of the body lies in the start box; the result is infinite.
 #define EMB_BOUNDING_NOTHING 2
 
-// A geometry, and what was found around the points it was asked about lately, so that a point near others costs a
-// fraction of one by itself.
-typedef struct emb_cursor emb_cursor;
-
 // What is the matter with a mesh as read, fault by fault. Immutable; it does not need the mesh any more.
 //
 // Faces are input faces, by their numbers; vertices are numbered as emb_mesh_vertices gives them. Every list is
@@ -2080,27 +2076,6 @@ emb_status emb_geom_classify_boxes(const emb_geom *g,
                                    const double *hi,
                                    const emb_run *run,
                                    int32_t *out_class);
-
-// A cursor for solvers that ask for one value after another, points that follow one another lying close together: node
-// after node of a grid, or a search along an edge. It pays on meshes, moved, complemented, offset, labelled or in small
-// unions and intersections, too; other geometries answer as they are. The spacing of the points is learnt from the first
-// two and again where it changes; it pays from some sixteen points on in a cube of four spacings, and points all
-// over the place cost a little more than without it. It takes up to about 6 MB for each mesh. `g` is kept alive.
-// On success *out_cursor is the caller's, to be freed with emb_cursor_free. Whole boxes are filled faster by
-// emb_geom_fill, many points by emb_geom_values.
-// Errors: EMB_ERROR_NULL_ARGUMENT.
-emb_status emb_cursor_new(const emb_geom *g,
-                          emb_cursor **out_cursor);
-
-// emb_geom_value of the cursor's geometry, to the bit, whatever was asked before; NaN for NULL. One cursor for each
-// thread: where several share one, a thread that comes while another is answered is answered without its help.
-double emb_cursor_value(const emb_cursor *cursor, double x, double y, double z);
-
-// emb_cursor_value as an emb_value_fn, for solvers that take (function, user): `cursor` is a const emb_cursor *.
-double emb_cursor_value_fn(void *cursor, double x, double y, double z);
-
-// Frees a cursor. NULL is fine. Not while a call uses it.
-void emb_cursor_free(emb_cursor *cursor);
 
 // A box around a body, found by subdividing a start box as an octree: for functions that do not know their bounds
 // (emb_geom_bounds costs nothing where they are known). The start box is halved `depth` times (1 to 16) along each

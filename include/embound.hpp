@@ -17,7 +17,6 @@
 
 #include "embound/bounding.hpp"
 #include "embound/combine.hpp"
-#include "embound/cursor.hpp"
 #include "embound/data.hpp"
 #include "embound/diagnosis.hpp"
 #include "embound/error.hpp"

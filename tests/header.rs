@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 29] = [
+const SOURCES: [&str; 28] = [
     "constants",
     "error",
     "callback",
@@ -40,7 +40,6 @@ const SOURCES: [&str; 29] = [
     "blend",
     "combine",
     "query",
-    "cursor",
     "bounding",
     "lattice",
 ];

@@ -8,7 +8,6 @@ mod build;
 mod classify;
 mod closest;
 pub(crate) mod contacts;
-mod cursor;
 mod cut;
 mod fingerprint;
 mod kinds;
@@ -36,7 +35,6 @@ mod value;
 
 pub use blend::{Blend, BlendFunction, CustomBlend};
 pub use closest::Closest;
-pub use cursor::Cursor;
 pub(crate) use cut::Cut;
 pub use properties::{
     Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod, UnpackCheck,

@@ -100,21 +100,6 @@ impl Estimates {
             && (0..2).all(|k| within(&self.inverse[k], 0.0, 2e36) && is(&self.inverse[k], &none.inverse[k]))
     }
 
-    /// Copies a lane of others.
-    pub(crate) fn copy(&mut self, lane: usize, from: &Estimates, from_lane: usize) {
-        for axis in 0..3 {
-            self.origin[axis].0[lane] = from.origin[axis].0[from_lane];
-            for row in 0..3 {
-                self.axes[row][axis].0[lane] = from.axes[row][axis].0[from_lane];
-            }
-        }
-        self.b.0[lane] = from.b.0[from_lane];
-        for k in 0..2 {
-            self.c[k].0[lane] = from.c[k].0[from_lane];
-            self.inverse[k].0[lane] = from.inverse[k].0[from_lane];
-        }
-    }
-
     /// The least and the most that the distances of a point can be, as the kernel in f64 has them. `slack` is that of the
     /// point.
     #[inline(always)]

@@ -488,13 +488,11 @@ static void getters_cannot_fail(void) {
   CHECK(emb_geom_classify_box(sphere, los, nan_corner) == 0);
   CHECK(emb_geom_classify_box(sphere, turned_lo, turned_hi) == 0);
   CHECK(emb_geom_classify_box(sphere, los, los) == -1);
-  CHECK(isnan(emb_cursor_value(NULL, 0, 0, 0)) && isnan(emb_cursor_value_fn(NULL, 0, 0, 0)));
   CHECK(emb_geom_clone(NULL) == NULL && emb_mesh_clone(NULL) == NULL && emb_pool_clone(NULL) == NULL);
   CHECK(emb_pool_width(NULL) == 1);
   emb_geom_free(NULL);
   emb_mesh_free(NULL);
   emb_pool_free(NULL);
-  emb_cursor_free(NULL);
   CHECK(strcmp(before, emb_last_error()) == 0);
   /* one bad point does not spoil a batch */
   CHECK_OK(emb_geom_values(sphere, 3, bad, ys, zs, 1, NULL, out));

@@ -47,32 +47,6 @@ static float to_float(double value) {
   return f;
 }
 
-/* A cursor that goes over a lattice and then all over the place; it keeps its geometry alive. */
-static void cursors_agree_with_single_points(const emb_geom *g) {
-  emb_geom *shared = emb_geom_clone(g);
-  emb_cursor *cursor = NULL;
-  int i, j, k;
-  CHECK_STATUS(emb_cursor_new(NULL, &cursor), EMB_ERROR_NULL_ARGUMENT);
-  CHECK_STATUS(emb_cursor_new(g, NULL), EMB_ERROR_NULL_ARGUMENT);
-  CHECK(cursor == NULL);
-  CHECK_OK(emb_cursor_new(shared, &cursor));
-  emb_geom_free(shared);
-  for (k = 0; k < 12; k++) {
-    for (j = 0; j < 12; j++) {
-      for (i = 0; i < 40; i++) {
-        const double x = -1.1 + 0.055 * i, y = -0.3 + 0.05 * j, z = -0.4 + 0.06 * k;
-        CHECK(same_double(emb_cursor_value(cursor, x, y, z), emb_geom_value(g, x, y, z)));
-      }
-    }
-  }
-  for (i = 0; i < POINTS; i++) {
-    const double x = random_between(-2, 2), y = random_between(-2, 2), z = random_between(-2, 2);
-    CHECK(same_double(emb_cursor_value_fn(cursor, x, y, z), emb_geom_value(g, x, y, z)));
-  }
-  CHECK(isnan(emb_cursor_value(cursor, NAN, 0, 0)));
-  emb_cursor_free(cursor);
-}
-
 static void batches_agree_with_single_points(const emb_geom *g) {
   static double p[3 * POINTS], x[POINTS], y[POINTS], z[POINTS], one[POINTS], separate[POINTS], together[POINTS], pooled[POINTS];
   static float pf[3 * POINTS], single_f[POINTS], batch_f[POINTS];
@@ -455,7 +429,6 @@ static void callbacks_live_as_long_as_they_must(void) {
 
 static void everything_agrees(const emb_geom *g, int is_mesh, int is_exact) {
   batches_agree_with_single_points(g);
-  cursors_agree_with_single_points(g);
   fills_agree_with_single_points(g);
   plane_lattices_work(g);
   crossings_agree_with_intercepts(g);

@@ -43,32 +43,6 @@ TEST(copies_share_and_moves_empty) {
     CHECK(!copy_of_empty);
 }
 
-TEST(cursors_are_copied_and_moved) {
-    embound::Cursor a;
-    CHECK(!a && std::isnan(a(0.0, 0.0, 0.0)) && !embound::Cursor(embound::Geometry()));
-    const embound::Geometry g = embound::sphere(origin, 1.0);
-    a = embound::Cursor(g);
-    embound::Cursor b = a;
-    CHECK(a && b && a.get() != b.get() && check::same_bits(b.geometry()(3.0, 4.0, 0.0), 4.0));
-    const embound::Cursor c = std::move(a);
-    CHECK(!a && check::same_bits(c(3.0, 4.0, 0.0), 4.0) && check::same_bits(b(3.0, 4.0, 0.0), 4.0));
-    CHECK(emb_cursor_value_fn(c.get(), 2.0, 0.0, 0.0) == 1.0);
-    const embound::Cursor thrower(embound::function([](double x, double, double) -> double {
-        if (x > 0.0) {
-            throw 7;
-        }
-        return x;
-    }));
-    CHECK(thrower(-1.0, 0.0, 0.0) == -1.0);
-    int caught = 0;
-    try {
-        thrower(1.0, 0.0, 0.0);
-    } catch (int thrown) {
-        caught = thrown;
-    }
-    CHECK(caught == 7);
-}
-
 TEST(handles_are_adopted_lent_and_given_up) {
     emb_geom *handle = nullptr;
     CHECK(emb_geom_sphere(origin.data(), 1.0, &handle) == EMB_OK);

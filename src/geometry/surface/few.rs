@@ -7,7 +7,7 @@ use super::{Leaf, NO_TRIANGLE, Nearest, Surface};
 use crate::bvh::{Corners, LeafList, Tree};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
-use crate::primitive::estimate::{BELOW, Estimates};
+use crate::primitive::estimate::BELOW;
 use crate::simd::float8::{Float8, Simd, slack};
 use crate::simd::lanes::WIDTH;
 
@@ -173,23 +173,6 @@ impl Few {
         }
         self.members.truncate(left);
     }
-
-    /// Lays them side by side.
-    pub(super) fn lay(&self, surface: &Surface, all: &mut Vec<Leaf>) -> Result<()> {
-        all.clear();
-        let count = self.members.len().div_ceil(WIDTH);
-        all.try_reserve_exact(count).map_err(|_| Error::memory("leaves", count))?;
-        for some in self.members.chunks(WIDTH) {
-            let mut leaf = Leaf { estimates: Estimates::NONE, triangle: [NO_TRIANGLE; WIDTH] };
-            for (to, member) in some.iter().enumerate() {
-                let (from, lane) = (&surface.leaves[member.leaf as usize], member.lane as usize);
-                leaf.estimates.copy(to, &from.estimates, lane);
-                leaf.triangle[to] = from.triangle[lane];
-            }
-            all.push(leaf);
-        }
-        Ok(())
-    }
 }
 
 /// How far a triangle is at least from the corners.
@@ -211,38 +194,28 @@ fn at_corners<S: Simd, const N: usize>(
     one.distances(simd, frame).mul(S::Float::splat(simd, BELOW)).sub(margin)
 }
 
-/// The nearest of triangles laid side by side by [`Few::lay`]; `distances` is scratch.
+/// The nearest triangle of some leaves; `distances` is scratch.
 #[inline(always)]
-pub(super) fn nearest_of<S: Simd>(
+pub(super) fn nearest_in<S: Simd>(
     simd: S,
     (surface, tree): (&Surface, &Tree),
-    triangles: &[Leaf],
+    leaves: &LeafList,
     p: Vec3,
     distances: &mut Vec<f32>,
 ) -> Result<Nearest> {
     let placed = tree.place(p);
     let at = [placed.x as f32, placed.y as f32, placed.z as f32];
     let slack = slack(placed.abs().max_element());
-    distances.clear();
-    distances.try_reserve(WIDTH * triangles.len()).map_err(|_| Error::memory("leaves", triangles.len()))?;
-    let mut least = S::Float::splat(simd, f32::INFINITY);
-    for leaf in triangles.iter() {
-        let [lower, upper] = leaf.estimates.between(simd, at, slack);
-        least = upper.min(least);
-        distances.extend_from_slice(&lower.lanes());
-    }
-    let limit = least.least();
+    leaves.distances(simd, at, slack, distances)?;
+    let first = (0..leaves.len()).fold(0, |best, k| if distances[k] < distances[best] { k } else { best });
     let mut waiting = Waiting::new(surface, p);
-    for (leaf, lower) in triangles.iter().zip(distances.as_chunks::<WIDTH>().0) {
-        let mut near = S::Float::load(simd, lower).not_above(limit);
-        while near != 0 {
-            let k = near.trailing_zeros() as usize & (WIDTH - 1);
-            near &= near - 1;
-            if leaf.triangle[k] != NO_TRIANGLE {
-                waiting.add(simd, leaf.triangle[k], lower[k]);
-            }
+    let mut limit = waiting.look(simd, &surface.leaves[leaves.leaf(first)], at, slack);
+    for k in 0..leaves.len() {
+        let is_far = distances[k] > limit;
+        if k != first && !is_far {
+            limit = waiting.look(simd, &surface.leaves[leaves.leaf(k)], at, slack);
         }
     }
-    waiting.settle(simd);
+    waiting.settle_all(simd);
     Ok(waiting.nearest())
 }

@@ -4,7 +4,6 @@
 
 mod band;
 mod build;
-mod cells;
 mod check;
 mod columns;
 mod crossings;
@@ -21,7 +20,6 @@ mod tile;
 mod visits;
 
 pub(crate) use band::{BandSlab, BandWork};
-pub(super) use cells::Cells;
 pub(crate) use crossings::Hit;
 pub(crate) use nearest::Nearest;
 use sides::Sides;

@@ -5,13 +5,12 @@
 
 use super::columns::Columns;
 use super::cube::{self, SIDE};
-use super::few::{Cell, FIRST, Few};
-use super::nearest::Waiting;
+use super::few::{self, Cell, FIRST, Few};
 use super::{Nearest, Surface};
 use crate::bvh::{LeafList, Tree};
 use crate::error::Result;
 use crate::math::Vec3;
-use crate::simd::float8::{Simd, slack};
+use crate::simd::float8::Simd;
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
 use std::ops::Range;
@@ -216,22 +215,7 @@ impl Kernel for Middle<'_> {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Result<Nearest> {
         let Middle { surface, tree, scratch, p } = self;
-        let Scratch { large, distances, .. } = scratch;
-        let placed = tree.place(p);
-        let at = [placed.x as f32, placed.y as f32, placed.z as f32];
-        let slack = slack(placed.abs().max_element());
-        large.distances(simd, at, slack, distances)?;
-        let first = (0..large.len()).fold(0, |best, k| if distances[k] < distances[best] { k } else { best });
-        let mut waiting = Waiting::new(surface, p);
-        let mut limit = waiting.look(simd, &surface.leaves[large.leaf(first)], at, slack);
-        for k in 0..large.len() {
-            let is_far = distances[k] > limit;
-            if k != first && !is_far {
-                limit = waiting.look(simd, &surface.leaves[large.leaf(k)], at, slack);
-            }
-        }
-        waiting.settle_all(simd);
-        Ok(waiting.nearest())
+        few::nearest_in(simd, (surface, tree), &scratch.large, p, &mut scratch.distances)
     }
 }
 
