@@ -3,7 +3,7 @@
 //! point looking for its leaves: points farther than the band from all leaves cost nothing. The distances are those of
 //! single points to the bit: what may be nearest in f32 is left to the kernel.
 
-use super::nearest::Waiting;
+use super::waiting::Waiting;
 use super::{NO_TRIANGLE, Surface};
 use crate::bvh::Tree;
 use crate::error::{Error, Result};

@@ -2,7 +2,7 @@
 //! The few triangles that may be nearest to some point of a cube: leaves by their boxes, their triangles first as seen
 //! from the middle, then by the corners (`bvh/witness.rs`) with eight of them side by side.
 
-use super::nearest::Waiting;
+use super::waiting::Waiting;
 use super::{Leaf, NO_TRIANGLE, Nearest, Surface};
 use crate::bvh::{Corners, LeafList, Tree};
 use crate::error::{Error, Result};

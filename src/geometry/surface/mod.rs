@@ -18,6 +18,7 @@ mod sides;
 mod sign;
 mod tile;
 mod visits;
+mod waiting;
 
 pub(crate) use band::{BandSlab, BandWork};
 pub(crate) use crossings::Hit;

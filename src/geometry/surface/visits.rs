@@ -2,7 +2,7 @@
 //! How much of a surface a search looks at, for benchmarks: no answer comes from here.
 
 use super::Surface;
-use super::nearest::Waiting;
+use super::waiting::Waiting;
 use crate::bvh::{self, LeafDistance};
 use crate::math::Vec3;
 use crate::simd::float8::{Plain, Simd};
