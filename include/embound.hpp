@@ -24,6 +24,7 @@
 #include "embound/geometry.hpp"
 #include "embound/grid.hpp"
 #include "embound/mesh.hpp"
+#include "embound/rays.hpp"
 #include "embound/repair.hpp"
 #include "embound/run.hpp"
 #include "embound/shapes.hpp"

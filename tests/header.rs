@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 27] = [
+const SOURCES: [&str; 28] = [
     "constants",
     "error",
     "callback",
@@ -39,6 +39,7 @@ const SOURCES: [&str; 27] = [
     "blend",
     "combine",
     "query",
+    "rays",
     "bounding",
     "lattice",
 ];

@@ -9,6 +9,7 @@ mod nearest;
 mod oriented;
 mod overlap;
 mod pairs;
+mod ray;
 mod witness;
 
 pub(crate) use nearest::{Along, Around, GROUP, LeafDistance, nearest, nearest_for_group};

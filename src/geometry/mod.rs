@@ -15,6 +15,7 @@ mod node;
 mod parts;
 mod placement;
 mod properties;
+mod rays;
 mod repeat;
 mod scanned;
 mod segment;
@@ -33,6 +34,8 @@ pub use closest::Closest;
 pub use properties::{
     Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod,
 };
+pub use rays::RayHit;
+pub(crate) use rays::RayScratch;
 pub(crate) use scanned::{Buffers, Scanned};
 pub(crate) use segment::{Change, Event, NO_PART};
 pub use shape::ExpressionOptions;

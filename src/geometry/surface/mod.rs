@@ -9,6 +9,7 @@ mod columns;
 mod crossings;
 mod nearest;
 mod normals;
+mod rays;
 mod refit;
 mod scanned;
 mod sides;
@@ -18,6 +19,7 @@ mod tile;
 pub(crate) use band::{BandSlab, BandWork};
 pub(crate) use crossings::Hit;
 pub(crate) use nearest::Nearest;
+pub(crate) use rays::Met;
 use sides::Sides;
 pub(crate) use tile::Block;
 
