@@ -2037,7 +2037,7 @@ emb_status emb_geom_classify_boxes(const emb_geom *g,
 // infinitesimal, the same for all faces of a mesh, so that it meets a closed mesh as often inwards as outwards; both ends
 // of its range belong to it exactly. In a body that is moved or placed, that holds of the ray as that body sees it,
 // rounded once. A face that the ray runs within is not met, nor is one without area.
-// Coordinates and their products must be within 1e-90 and 1e90 for exactness. Cost: about a microsecond a ray and mesh.
+// Coordinates and their products must be within 1e-90 and 1e90 for exactness. Cost: grows with the faces along the ray and with the meshes of g.
 // Arrays may be NULL where count is 0. The results do not depend on threads, instruction set or accelerator.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (an origin or direction that is not finite, a direction
 // that is zero or subnormal, t_min > t_max or NaN, naming the ray), EMB_ERROR_UNSUPPORTED (g is made of something other
