@@ -25,6 +25,7 @@
 #include "embound/grid.hpp"
 #include "embound/mesh.hpp"
 #include "embound/pack.hpp"
+#include "embound/rays.hpp"
 #include "embound/repair.hpp"
 #include "embound/run.hpp"
 #include "embound/shapes.hpp"

@@ -108,6 +108,11 @@ fn misuse_of_meshes_is_answered_with_a_status_and_a_message() {
     harness("misuse_meshes");
 }
 
+#[test]
+fn rays_are_answered_and_their_misuse_with_a_status_and_a_message() {
+    harness("misuse_rays");
+}
+
 /// [`harness`] of a program that prints a hash of its results, which must be the same each time.
 fn same_hashes(name: &str) {
     let outputs = harness(name);
@@ -226,6 +231,7 @@ fn structs_have_one_layout_on_both_sides() {
     layout!(lines, emb_closest_out: struct_size, value, point, gradient, barycentric, vector_stride, primitive,
         part, tag, feature, piece);
     layout!(lines, emb_hit_out: struct_size, t, count, status, normal, vector_stride, primitive, part, tag);
+    layout!(lines, emb_ray_out: struct_size, t, side, normal, vector_stride, primitive, part, tag);
     layout!(lines, emb_crossings_out: struct_size, form, elsewhere, none, r#where, count, tag, part);
     let header = fs::read_to_string(root().join("include/embound.h")).expect("the header");
     let structs = header.lines().filter(|line| line.starts_with("typedef struct") && line.ends_with('{')).count();

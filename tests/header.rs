@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 28] = [
+const SOURCES: [&str; 29] = [
     "constants",
     "error",
     "callback",
@@ -40,6 +40,7 @@ const SOURCES: [&str; 28] = [
     "blend",
     "combine",
     "query",
+    "rays",
     "bounding",
     "lattice",
 ];

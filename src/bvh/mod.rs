@@ -10,6 +10,7 @@ mod oriented;
 mod overlap;
 mod pack;
 mod pairs;
+mod ray;
 mod witness;
 
 pub(crate) use nearest::{Along, Around, GROUP, LeafDistance, nearest, nearest_for_group};

@@ -147,16 +147,16 @@ unsafe impl Versioned for emb_crossings_out {
 }
 
 /// The three components of a vector.
-struct Vectors([Option<Writer<f64>>; 3]);
+pub(super) struct Vectors([Option<Writer<f64>>; 3]);
 
 impl Vectors {
-    fn new(name: &str, data: [*mut f64; 3], count: usize, stride: usize) -> Result<Vectors> {
+    pub(super) fn new(name: &str, data: [*mut f64; 3], count: usize, stride: usize) -> Result<Vectors> {
         let stride = ("out.vector_stride", stride);
         let component = |k: usize| Writer::line(&format!("out.{name}[{k}]"), data[k], count, stride);
         Ok(Vectors([component(0)?, component(1)?, component(2)?]))
     }
 
-    fn put<R>(&self, start: usize, results: &[R], vector: impl Fn(&R) -> Vec3) {
+    pub(super) fn put<R>(&self, start: usize, results: &[R], vector: impl Fn(&R) -> Vec3) {
         for (axis, writer) in self.0.iter().enumerate() {
             put(writer, start, results, |r| vector(r).to_array()[axis]);
         }
@@ -164,14 +164,14 @@ impl Vectors {
 }
 
 /// Writes one member of each result, where it is wanted.
-fn put<R, T: Copy>(writer: &Option<Writer<T>>, start: usize, results: &[R], member: impl Fn(&R) -> T) {
+pub(super) fn put<R, T: Copy>(writer: &Option<Writer<T>>, start: usize, results: &[R], member: impl Fn(&R) -> T) {
     if let Some(writer) = writer {
         writer.put([start, 0, 0], results.iter().map(member));
     }
 }
 
 /// A tight array that may be left out.
-fn optional<T: Copy>(name: &str, data: *mut T, count: usize) -> Result<Option<Writer<T>>> {
+pub(super) fn optional<T: Copy>(name: &str, data: *mut T, count: usize) -> Result<Option<Writer<T>>> {
     Writer::line(name, data, count, ("stride", 1))
 }
 

@@ -20,6 +20,7 @@ mod parts;
 mod placement;
 mod points;
 mod properties;
+mod rays;
 mod repeat;
 mod scanned;
 mod segment;
@@ -39,6 +40,8 @@ pub(crate) use cut::Cut;
 pub use properties::{
     Accelerator, Function, FunctionOptions, Kind, Open, Properties, RefitCheck, SdfOptions, SignMethod, UnpackCheck,
 };
+pub use rays::RayHit;
+pub(crate) use rays::RayScratch;
 pub(crate) use scanned::{Buffers, Scanned};
 pub(crate) use segment::{Change, Event, NO_PART};
 pub use shape::ExpressionOptions;

@@ -117,6 +117,12 @@ impl Placement {
         self.rotation * v
     }
 
+    /// A direction of space, seen from the body, so that places along it keep their number.
+    pub(super) fn direction_to_body(self, v: Vec3) -> Vec3 {
+        let v = self.inverse * v;
+        if self.scale == 1.0 { v } else { v / self.scale }
+    }
+
     /// A box of the body, in space: a box around it, rounding included.
     pub(super) fn box_to_space(self, b: Aabb) -> Aabb {
         around(b, self.rotation * self.scale, self.shift, |c| self.to_space(c))

@@ -4,7 +4,7 @@
 use super::Vec3;
 
 #[inline(always)]
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let t = s - a;
     (s, (a - (s - t)) + (b - t))
@@ -18,7 +18,7 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 #[inline(always)]
-fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     let ((ah, al), (bh, bl)) = (split(a), split(b));
     (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
@@ -61,6 +61,21 @@ pub fn volumes_of_differences<const N: usize>(a: Vec3, b: Vec3, c: Vec3, d: [Vec
     let add = |p: Twice, q: Twice| subtract(p, (-q.0, -q.1));
     d.map(|d| {
         let w = from_a(d);
+        let (hi, lo) = add(add(multiply(area[0], w[0]), multiply(area[1], w[1])), multiply(area[2], w[2]));
+        hi + lo
+    })
+}
+
+/// With n = `(b - a) x (c - a)`, what n has in common with `a - origin` and with `direction`: as precise as
+/// [`volumes_of_differences`]. Their ratio is where the ray meets the plane.
+#[inline]
+pub fn plane_and_ray(a: Vec3, b: Vec3, c: Vec3, origin: Vec3, direction: Vec3) -> [f64; 2] {
+    let between = |p: Vec3, q: Vec3| -> Twice3 { [two_sum(p.x, -q.x), two_sum(p.y, -q.y), two_sum(p.z, -q.z)] };
+    let (u, v, w) = (between(b, a), between(c, a), between(a, origin));
+    let minor = |i: usize, j: usize| subtract(multiply(u[i], v[j]), multiply(u[j], v[i]));
+    let area = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    let add = |p: Twice, q: Twice| subtract(p, (-q.0, -q.1));
+    [w, direction.to_array().map(|d| (d, 0.0))].map(|w| {
         let (hi, lo) = add(add(multiply(area[0], w[0]), multiply(area[1], w[1])), multiply(area[2], w[2]));
         hi + lo
     })

@@ -6,13 +6,15 @@
 
 mod aabb;
 mod double_double;
+mod expansion;
 mod interval;
 mod interval_functions;
 mod morton;
 mod rounding;
 
 pub use aabb::Aabb;
-pub use double_double::{cross_of_differences, volumes_of_differences};
+pub use double_double::{cross_of_differences, plane_and_ray, volumes_of_differences};
+pub use expansion::{Expansion, difference, product};
 pub use glam::{DMat3 as Mat3, DVec3 as Vec3, Vec3Swizzles as Swizzles};
 pub use interval::Interval;
 pub use interval_functions::power;

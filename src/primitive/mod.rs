@@ -14,5 +14,6 @@ pub(crate) mod outline;
 pub(crate) mod overlap;
 pub(crate) mod polygon;
 pub(crate) mod profile;
+pub(crate) mod ray;
 pub(crate) mod sphere;
 pub(crate) mod triangle;

@@ -15,6 +15,7 @@ mod fill;
 mod inputs;
 mod intercept;
 mod order;
+mod rays;
 mod scanned_band;
 mod scanned_crossings;
 mod scanned_signs;
@@ -22,7 +23,7 @@ mod sides;
 mod tiles;
 mod values;
 
-pub use crate::geometry::Closest;
+pub use crate::geometry::{Closest, RayHit};
 pub use bounding::{Bounding, bounding_box, bounding_sphere};
 pub use classify::{classify_box, classify_boxes};
 pub use closest::closest;
@@ -30,6 +31,7 @@ pub use diagnose::diagnose;
 pub use fill::{FillMode, fill, fill_signs};
 pub use inputs::{Lattice, PointSource, Strided};
 pub use intercept::{Crossing, CrossingForm, EmitCrossings, Intercept, crossings, intercepts};
+pub use rays::{Rays, all_hits, count_hits, first_hits};
 pub use values::values;
 
 use crate::error::{Error, Result, Status};

@@ -211,6 +211,15 @@ static void outputs(void) {
   MEMBER(emb_hit_out, primitive);
   MEMBER(emb_hit_out, part);
   MEMBER(emb_hit_out, tag);
+  STRUCT(emb_ray_out);
+  MEMBER(emb_ray_out, struct_size);
+  MEMBER(emb_ray_out, t);
+  MEMBER(emb_ray_out, side);
+  MEMBER(emb_ray_out, normal);
+  MEMBER(emb_ray_out, vector_stride);
+  MEMBER(emb_ray_out, primitive);
+  MEMBER(emb_ray_out, part);
+  MEMBER(emb_ray_out, tag);
   STRUCT(emb_crossings_out);
   MEMBER(emb_crossings_out, struct_size);
   MEMBER(emb_crossings_out, form);

@@ -12,6 +12,7 @@ mod few;
 mod nearest;
 mod normals;
 mod pack;
+mod rays;
 mod refit;
 mod scanned;
 mod sides;
@@ -23,6 +24,7 @@ mod waiting;
 pub(crate) use band::{BandSlab, BandWork};
 pub(crate) use crossings::Hit;
 pub(crate) use nearest::Nearest;
+pub(crate) use rays::Met;
 use sides::Sides;
 pub(crate) use tile::Block;
 
