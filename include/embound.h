@@ -700,7 +700,7 @@ typedef int32_t (*emb_gradient_fn)(void *user, double x, double y, double z, dou
 
 // Numbers between which every value of a user's function in the closed box from lo to hi (3 numbers each, finite)
 // lies, rounding included: to *out_lo and *out_hi. Nonzero, NaN or *out_lo > *out_hi: not known. Boxes are
-// classified and fills pruned by it, so an untrue answer makes wrong ones. It must not throw.
+// classified by it, so an untrue answer makes wrong ones. It must not throw.
 typedef int32_t (*emb_range_fn)(void *user, const double *lo, const double *hi, double *out_lo, double *out_hi);
 
 // What the caller knows of a function; fill it with emb_callback_options_init.
@@ -711,8 +711,8 @@ typedef struct emb_callback_options {
   double lo[3];
   // Upper corner of that box; +INFINITY by default.
   double hi[3];
-  // A constant L with |f(p) - f(q)| <= L |p - q|; 0, the default: unknown. Boxes are classified, and
-  // fills pruned, only where it is known.
+  // A constant L with |f(p) - f(q)| <= L |p - q|; 0, the default: unknown. Boxes are classified
+  // only where it or a range is known.
   double lipschitz;
   // Step of the centred differences that give the gradient; 0, the default: 1e-6 of the diagonal of the
   // box, or 1e-6 where that is infinite.
@@ -1561,7 +1561,7 @@ emb_status emb_geom_pack(const emb_geom *g,
                          size_t *out_size);
 
 // Makes the geometry of a block that emb_geom_pack wrote: the same answers, to the bit, the same fingerprint and properties.
-// `size` is the size of the block, which is no larger.
+// `size` is exactly what emb_geom_pack put into *out_size.
 //
 // `flags` are 0 or any of these together. EMB_UNPACK_BORROW: the block is not copied; it must begin at a multiple of 64
 // bytes, and stay, unchanged, until `drop` is run. So one block in memory that the ranks of a node share (MPI's
@@ -1569,7 +1569,8 @@ emb_status emb_geom_pack(const emb_geom *g,
 // takes no time for their size; the caller knows that they are whole.
 //
 // `drop` (may be NULL) is run with `user` when the block is no longer needed: with EMB_UNPACK_BORROW with the last geometry
-// that uses it, which may be one made of this, else before this returns. Not if this fails.
+// that uses it, which may be one made of this (one that needs nothing of the block does not count), else before this
+// returns. Not if this fails.
 //
 // Without EMB_UNPACK_TRUST every byte is looked at, on the calling thread: a damaged block, one that was cut off, and any
 // other bytes are an error, and what is accepted never leads out of the block. Cost: O(bytes), some GB a second; with both

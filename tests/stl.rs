@@ -342,7 +342,7 @@ fn writing_over_a_file_replaces_it_and_failing_leaves_it() {
     assert_eq!(error.status(), Status::Unsupported);
     assert!(error.message().contains("part.stl: vertex 0: the coordinate "), "{error}");
     assert_eq!(fs::read(&path).unwrap().len(), 84 + 50 * 80);
-    // A folder under the file's name: the rename fails after the bytes are written.
+    // A folder under the file's name.
     let taken = folder.join("taken.stl");
     fs::create_dir(&taken).unwrap();
     fs::write(taken.join("x"), b"x").unwrap();
@@ -350,6 +350,28 @@ fn writing_over_a_file_replaces_it_and_failing_leaves_it() {
     assert_eq!(error.status(), Status::Io);
     assert!(error.message().contains("taken.stl: cannot write: "), "{error}");
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 2, "no half file is left");
+}
+
+#[test]
+fn writing_follows_links_keeps_permissions_and_spares_what_is_no_file() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = scratch("links");
+    let mesh = bodies::icosphere(1).mesh();
+    let path = folder.join(format!("{}.stl", "n".repeat(250)));
+    fs::write(&path, b"something older").unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).unwrap();
+    let link = folder.join("link.stl");
+    symlink(&path, &link).unwrap();
+    io::write(&mesh, &link).unwrap();
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o600);
+    assert_eq!(fs::read(&path).unwrap().len(), 84 + 50 * 80);
+    let pipe = folder.join("pipe.stl");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let error = io::write(&mesh, &pipe).unwrap_err();
+    assert!(error.status() == Status::Io && error.message().contains("not a regular file"), "{error}");
+    assert!(!fs::metadata(&pipe).unwrap().is_file());
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 3, "no half file is left");
 }
 
 #[test]

@@ -36,7 +36,7 @@ pub type emb_gradient_fn =
 
 /// Numbers between which every value of a user's function in the closed box from lo to hi (3 numbers each, finite)
 /// lies, rounding included: to *out_lo and *out_hi. Nonzero, NaN or *out_lo > *out_hi: not known. Boxes are
-/// classified and fills pruned by it, so an untrue answer makes wrong ones. It must not throw.
+/// classified by it, so an untrue answer makes wrong ones. It must not throw.
 pub type emb_range_fn = Option<
     unsafe extern "C" fn(user: *mut c_void, lo: *const f64, hi: *const f64, out_lo: *mut f64, out_hi: *mut f64) -> i32,
 >;
@@ -51,8 +51,8 @@ pub struct emb_callback_options {
     pub lo: [f64; 3],
     /// Upper corner of that box; +INFINITY by default.
     pub hi: [f64; 3],
-    /// A constant L with |f(p) - f(q)| <= L |p - q|; 0, the default: unknown. Boxes are classified, and
-    /// fills pruned, only where it is known.
+    /// A constant L with |f(p) - f(q)| <= L |p - q|; 0, the default: unknown. Boxes are classified
+    /// only where it or a range is known.
     pub lipschitz: f64,
     /// Step of the centred differences that give the gradient; 0, the default: 1e-6 of the diagonal of the
     /// box, or 1e-6 where that is infinite.

@@ -56,7 +56,7 @@ pub unsafe extern "C" fn emb_geom_pack(
 }
 
 /// Makes the geometry of a block that emb_geom_pack wrote: the same answers, to the bit, the same fingerprint and properties.
-/// `size` is the size of the block, which is no larger.
+/// `size` is exactly what emb_geom_pack put into *out_size.
 ///
 /// `flags` are 0 or any of these together. EMB_UNPACK_BORROW: the block is not copied; it must begin at a multiple of 64
 /// bytes, and stay, unchanged, until `drop` is run. So one block in memory that the ranks of a node share (MPI's
@@ -64,7 +64,8 @@ pub unsafe extern "C" fn emb_geom_pack(
 /// takes no time for their size; the caller knows that they are whole.
 ///
 /// `drop` (may be NULL) is run with `user` when the block is no longer needed: with EMB_UNPACK_BORROW with the last geometry
-/// that uses it, which may be one made of this, else before this returns. Not if this fails.
+/// that uses it, which may be one made of this (one that needs nothing of the block does not count), else before this
+/// returns. Not if this fails.
 ///
 /// Without EMB_UNPACK_TRUST every byte is looked at, on the calling thread: a damaged block, one that was cut off, and any
 /// other bytes are an error, and what is accepted never leads out of the block. Cost: O(bytes), some GB a second; with both

@@ -18,11 +18,20 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     write_with(path, |file| file.write_all(bytes))
 }
 
-/// Writes beside `path` and renames, so that a file of this name is always a whole one.
+/// Writes beside `path` and renames, so that a file of this name is always a whole one. Of a link the file that it leads to
+/// is written; one that is there keeps its permissions; what is no file (a device, a pipe) is an error.
 pub(crate) fn write_with(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> Result<()> {
-    let temporary = beside(path);
-    let written =
-        File::create_new(&temporary).and_then(|mut file| fill(&mut file)).and_then(|()| fs::rename(&temporary, path));
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let before = fs::metadata(&target).ok();
+    if before.as_ref().is_some_and(|before| !before.is_file()) {
+        return Err(Error::new(Status::Io, format!("{}: cannot write: it is not a regular file", path.display())));
+    }
+    let temporary = beside(&target);
+    let written = File::create_new(&temporary).and_then(|mut file| {
+        before.map_or(Ok(()), |before| file.set_permissions(before.permissions()))?;
+        fill(&mut file)?;
+        fs::rename(&temporary, &target)
+    });
     written.map_err(|e| {
         // The first failure is the one to tell of.
         let _ = fs::remove_file(&temporary);
@@ -33,9 +42,7 @@ pub(crate) fn write_with(path: &Path, fill: impl FnOnce(&mut File) -> io::Result
 /// A name in the same folder that no other thread or process uses.
 fn beside(path: &Path) -> PathBuf {
     static NEXT: AtomicU64 = AtomicU64::new(0);
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(format!(".{}.{}.partial", process::id(), NEXT.fetch_add(1, Ordering::Relaxed)));
-    path.with_file_name(name)
+    path.with_file_name(format!(".{}.{}.partial", process::id(), NEXT.fetch_add(1, Ordering::Relaxed)))
 }
 
 fn failure(verb: &str, path: &Path, reason: &io::Error) -> Error {
