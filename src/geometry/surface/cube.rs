@@ -64,8 +64,8 @@ impl Points {
 
     #[inline(always)]
     fn at(&self, point: usize) -> [f64; 3] {
-        let side = SIDE - 1;
-        [self.axes[0][point & side], self.axes[1][point / SIDE & side], self.axes[2][point / (SIDE * SIDE) & side]]
+        let [i, j, k] = [point % SIDE, point / SIDE % SIDE, point / (SIDE * SIDE) % SIDE];
+        [self.axes[0][i], self.axes[1][j], self.axes[2][k]]
     }
 }
 

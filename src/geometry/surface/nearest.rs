@@ -148,9 +148,9 @@ impl Kernel for OfLeaf<'_, '_> {
 }
 
 /// Brute force: the kernel for every triangle.
-struct OfAll<'a> {
-    surface: &'a Surface,
-    p: Vec3,
+pub(super) struct OfAll<'a> {
+    pub(super) surface: &'a Surface,
+    pub(super) p: Vec3,
 }
 
 impl Kernel for OfAll<'_> {
