@@ -34,6 +34,7 @@ macro_rules! plain {
                 size_of::<T>()
             }
             assert!(size_of::<$type>() == 0 $(+ size::<$of>())+);
+            // It is there to be compiled, not to be called.
             #[allow(dead_code)]
             fn has_no_other_fields(all: $type) {
                 let $type { $($field),+ } = all;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Values over a block of a lattice. Cubes of 8 points a side, then of 4, find together what may be nearest to one of
-//! their points (`bvh/witness.rs`); each point then asks the few triangles that are left. The values are those of
+//! their points (`bvh/witness.rs`); the few triangles that are left are held against the points (`cube.rs`). The values are those of
 //! single points to the bit.
 
 use super::columns::Columns;
@@ -167,13 +167,14 @@ impl Kernel for Work<'_, '_> {
             return surface.one_by_one(block, cube, self.columns, self.out);
         }
         let nearest = cell.corners.map(|c| surface.nearest(c));
-        let corners = cell.with(surface, tree, chosen(&nearest));
+        let witnesses = chosen(&nearest);
+        let corners = cell.with(surface, tree, witnesses);
         let Scratch { stack, large, .. } = self.scratch;
         if !tree.surviving_leaves(simd, &corners, MOST_LEAVES, stack, large)? || large.len() == 0 {
             return surface.one_by_one(block, cube, self.columns, self.out);
         }
         for small in cube.cut(SIDE) {
-            self.small(simd, &small, &nearest)?;
+            self.small(simd, &small, witnesses)?;
         }
         Ok(())
     }
@@ -181,12 +182,12 @@ impl Kernel for Work<'_, '_> {
 
 impl Work<'_, '_> {
     #[inline(always)]
-    fn small<S: Simd>(&mut self, simd: S, cube: &Cube, near: &[Nearest; WIDTH]) -> Result<()> {
+    fn small<S: Simd>(&mut self, simd: S, cube: &Cube, witnesses: [Vec3; FIRST]) -> Result<()> {
         let Work { surface, tree, block, .. } = *self;
         let cell = Cell::new(tree, block.point(cube.first()), block.point(cube.last()));
         let nearest = simd.apart(Middle { surface, tree, scratch: self.scratch, p: cell.middle() })?;
         let Scratch { large, few, points, .. } = self.scratch;
-        if !simd.apart(Find { surface, tree, large, few, cell: &cell, nearest: &nearest, near })? {
+        if !simd.apart(Find { surface, tree, large, few, cell: &cell, nearest: &nearest, witnesses })? {
             return surface.one_by_one(block, cube, self.columns, self.out);
         }
         let axes = [0, 1, 2].map(|axis| &block.axes[axis][cube.0[axis].clone()]);
@@ -227,7 +228,7 @@ struct Find<'a> {
     few: &'a mut Few,
     cell: &'a Cell,
     nearest: &'a Nearest,
-    near: &'a [Nearest; WIDTH],
+    witnesses: [Vec3; FIRST],
 }
 
 impl Kernel for Find<'_> {
@@ -235,8 +236,8 @@ impl Kernel for Find<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Result<bool> {
-        let Find { surface, tree, large, few, cell, nearest, near } = self;
-        few.find(simd, (surface, tree), large, cell, nearest, chosen(near))
+        let Find { surface, tree, large, few, cell, nearest, witnesses } = self;
+        few.find(simd, (surface, tree), large, cell, nearest, witnesses)
     }
 }
 
