@@ -22,7 +22,7 @@ fn values(g: &Geometry, p: &[f64], run: &Run) -> Vec<f64> {
     out.into_inner().unwrap()
 }
 
-fn fill(g: &Geometry, lattice: &Lattice, mode: FillMode, run: &Run) -> Vec<f64> {
+pub fn fill(g: &Geometry, lattice: &Lattice, mode: FillMode, run: &Run) -> Vec<f64> {
     let n = lattice.n();
     let out = Mutex::new(vec![f64::NAN; n[0] * n[1] * n[2]]);
     query::fill(g, lattice, mode, run, &|at, found| {

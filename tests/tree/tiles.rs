@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Lattices of trees are filled tile by tile, with what matters in each tile: the bits of single points.
 
+use super::batches::fill as filled;
 use super::scenes::{CROWDS, crowd, one};
 use super::trees::{each, places};
 use super::{direction, placed, same, vector};
@@ -12,17 +13,6 @@ use embound::math::Vec3;
 use embound::parallel::{Pool, Run};
 use embound::query::{self, FillMode, Lattice};
 use std::sync::Mutex;
-
-fn filled(g: &Geometry, lattice: &Lattice, mode: FillMode, run: &Run) -> Vec<f64> {
-    let n = lattice.n();
-    let out = Mutex::new(vec![f64::NAN; n[0] * n[1] * n[2]]);
-    query::fill(g, lattice, mode, run, &|at, found| {
-        let first = at[0] + n[0] * (at[1] + n[1] * at[2]);
-        out.lock().unwrap()[first..first + found.len()].copy_from_slice(found);
-    })
-    .unwrap();
-    out.into_inner().unwrap()
-}
 
 /// Exact, and for narrow and wide bands.
 #[track_caller]
