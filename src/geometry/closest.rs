@@ -98,7 +98,7 @@ fn on_surface(surface: &Surface, p: Vec3, nearest: &Nearest) -> Closest {
         point: nearest.point,
         gradient: surface.gradient(p, nearest, value),
         barycentric,
-        primitive: i64::from(surface.face(nearest.triangle)),
+        primitive: surface.face(nearest.triangle),
         piece: surface.piece(nearest.triangle) as i32,
         part: NO_PART,
         tag: surface.tag(nearest.triangle),

@@ -66,7 +66,7 @@ pub(crate) struct RayScratch {
 #[derive(Clone, Copy)]
 struct Found {
     t: f64,
-    face: u32,
+    face: i64,
     target: usize,
     met: Met,
 }
@@ -198,7 +198,7 @@ impl Target<'_> {
             t: found.t,
             // Adding zero turns -0.0 into +0.0.
             normal: if self.is_turned { -normal } else { normal } + Vec3::ZERO,
-            primitive: i64::from(found.face),
+            primitive: found.face,
             tag: self.surface.tag(triangle),
             part: self.part,
             side: if leaves { 1 } else { -1 },

@@ -165,7 +165,7 @@ pub(super) fn side_changes(surface: &Surface, hits: &[Hit], mut winding: i32, ev
             t: positive_zero(hit.t),
             change,
             normal: hit.normal,
-            primitive: i64::from(surface.face(hit.triangle)),
+            primitive: surface.face(hit.triangle),
             part: NO_PART,
             tag: surface.tag(hit.triangle),
         });

@@ -3,6 +3,7 @@
 
 mod arrays;
 mod assembly;
+mod boundary;
 mod build;
 mod clean;
 mod copies;
@@ -28,6 +29,7 @@ mod weld;
 
 pub(crate) use assembly::join;
 pub use assembly::{JoinTags, SplitBy};
+pub(crate) use boundary::boundary_loops;
 pub(crate) use build::{LARGEST_COORDINATE, SMALLEST_DIAGONAL, build};
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};

@@ -2,12 +2,13 @@
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
 use super::normals::normals;
-use super::{ALONE, Doubts, Kept, Leaf, NO_TRIANGLE, Origin, PIECE, Sides, Sign, Surface, Triangles};
+use super::{ALONE, Doubts, Kept, Leaf, NO_FACE, NO_TRIANGLE, Origin, PIECE, Sides, Sign, Surface, Triangles};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
 use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
+use crate::geometry::segment::NO_TAG;
 use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::{HalfEdges, Mesh};
+use crate::mesh::{HalfEdges, Mesh, Triangle};
 use crate::parallel::Run;
 use crate::primitive::estimate::Estimates;
 use crate::simd::lanes::WIDTH;
@@ -25,9 +26,9 @@ impl Surface {
         if mesh.triangles().is_empty() {
             return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
         }
-        let (triangles, neighbours) = shape(mesh, topology, run)?;
-        let kept = Kept { triangles: Arc::new(triangles), topology: neighbours.into(), asked: (options.sign, sign) };
         let (vertices, pieces) = (mesh.vertices(), mesh.triangles());
+        let (triangles, neighbours) = shape(mesh, pieces, topology, run)?;
+        let kept = Kept { triangles: Arc::new(triangles), topology: neighbours.into(), asked: (options.sign, sign) };
         let bounds = |t: usize| Aabb::of(pieces[t].corners(vertices));
         let silent = run.silent();
         let (tree, leaves) = Tree::build(pieces.len(), &bounds, LEAF_SIZE, &silent)?;
@@ -155,10 +156,9 @@ fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
     }
 }
 
-/// The triangles of a mesh and their neighbours. `topology` is that of the triangles.
-fn shape(mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<(Triangles, Vec<[u32; 3]>)> {
+/// Triangles, of the faces of a mesh or of none, and their neighbours. `topology` is that of the triangles.
+fn shape(mesh: &Mesh, triangles: &[Triangle], topology: &HalfEdges, run: &Run) -> Result<(Triangles, Vec<[u32; 3]>)> {
     let run = &run.silent();
-    let triangles = mesh.triangles();
     let mut neighbours = filled("neighbours", triangles.len(), [ALONE; 3])?;
     let neighbour = |h: u32| topology.twin(h).map_or(ALONE, |twin| topology.face(twin));
     run.for_each_piece(&mut neighbours, PIECE, &|from, piece| {
@@ -177,7 +177,8 @@ fn shape(mesh: &Mesh, topology: &HalfEdges, run: &Run) -> Result<(Triangles, Vec
             if triangles[first].face != t.face {
                 first = k;
             }
-            Origin { face: t.face, tag: mesh.tag(t.face), piece: 2 * (k - first) as u32 + u32::from(t.turned) }
+            let tag = if t.face == NO_FACE { NO_TAG } else { mesh.tag(t.face) };
+            Origin { face: t.face, tag, piece: 2 * (k - first) as u32 + u32::from(t.turned) }
         }));
     }
     Ok((Triangles { vertex: vertex.into(), origin: origin.into() }, neighbours))

@@ -42,6 +42,9 @@ use std::sync::Arc;
 /// Marks the unused lanes of a block.
 const NO_TRIANGLE: u32 = u32::MAX;
 
+/// In the place of the face of a triangle that no input face is the origin of: one that closes the surface.
+const NO_FACE: u32 = u32::MAX;
+
 /// In the place of a neighbour: the edge has none, and the triangle's own normal.
 const ALONE: u32 = u32::MAX;
 
@@ -204,8 +207,12 @@ impl Surface {
         }
     }
 
-    pub(crate) fn face(&self, triangle: u32) -> u32 {
-        self.triangles.origin(triangle).face
+    /// The input face of a triangle; -1 where it has none.
+    pub(crate) fn face(&self, triangle: u32) -> i64 {
+        match self.triangles.origin(triangle).face {
+            NO_FACE => -1,
+            face => i64::from(face),
+        }
     }
 
     /// Which of the triangles that its face was cut into a triangle is.

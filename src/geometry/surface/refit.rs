@@ -20,7 +20,7 @@ impl Surface {
         let mut triangles = try_with_capacity("triangles", self.triangles.len())?;
         triangles.extend(self.triangles.vertex.iter().zip(0..).map(|(&vertices, t)| Triangle {
             vertices,
-            face: self.face(t),
+            face: self.triangles.origin(t).face,
             turned: self.triangles.is_turned(t),
         }));
         self.keeps_its_side(&vertices, &triangles, silent)?;

@@ -35,7 +35,7 @@ impl Lists {
     }
 
     /// Adds a list.
-    pub(super) fn push(&mut self, list: impl ExactSizeIterator<Item = u32>) -> Result<()> {
+    pub(crate) fn push(&mut self, list: impl ExactSizeIterator<Item = u32>) -> Result<()> {
         self.items.try_reserve(list.len()).map_err(|_| Error::memory("numbers", self.items.len() + list.len()))?;
         self.items.extend(list);
         push(&mut self.end, "lists", self.items.len())
