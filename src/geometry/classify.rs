@@ -98,6 +98,11 @@ impl Geometry {
             return Interval::ALL;
         }
         let error = 2.0 * s.error(extent(b));
+        if s.jumps && self.side(b).unwrap_or(0) == 0 {
+            // Of a mesh alone, either sign of what the value can be; of what is made of several, another of them counts.
+            let most = if self.has_blocks() { value.abs() + s.lipschitz * half + error } else { f64::INFINITY };
+            return Interval::around(0.0, most);
+        }
         let range = match s.lipschitz.is_finite() {
             true => Interval::around(value, s.lipschitz * half + error),
             false => Interval::ALL,

@@ -89,7 +89,8 @@ impl Geometry {
 
     /// |f(p) - f(q)| <= lipschitz |p - q|; infinite where unknown. O(1).
     pub fn lipschitz(&self) -> f64 {
-        self.summary().lipschitz
+        let s = self.summary();
+        if s.jumps { f64::INFINITY } else { s.lipschitz }
     }
 
     /// Whether several threads may ask at once: false where a user's function forbids it.

@@ -107,7 +107,9 @@ impl Geometry {
     /// Whether steps along a segment cannot miss much: without a Lipschitz constant a body between its ends goes
     /// unseen, and a crossing of another body within it is none.
     pub(crate) fn has_slope(&self) -> bool {
-        self.summary().lipschitz.is_finite()
+        let s = self.summary();
+        // A surface alone knows all of its crossings.
+        s.lipschitz.is_finite() && (!s.jumps || self.has_blocks())
     }
 
     /// Whether the sides are different a millionth of the segment before and after a place.
@@ -144,7 +146,7 @@ fn surface_events(surface: &Surface, a: Vec3, b: Vec3) -> Vec<Event> {
         return Vec::new();
     }
     let hits = surface.hits(a, b);
-    let winding = if surface.is_signed() && !hits.is_empty() { surface.winding(a) } else { 0 };
+    let winding = if surface.is_signed() && !hits.is_empty() { surface.winding_before(a) } else { 0 };
     let mut events = Vec::new();
     side_changes(surface, &hits, winding, &mut events);
     events
@@ -155,6 +157,9 @@ pub(super) fn side_changes(surface: &Surface, hits: &[Hit], mut winding: i32, ev
     for hit in hits {
         let before = winding >= 1;
         winding += hit.change;
+        if surface.is_cap(hit.triangle) {
+            continue;
+        }
         let change = match (surface.is_signed(), before, winding >= 1) {
             (false, ..) => Change::Touch,
             (_, false, true) => Change::Enter,

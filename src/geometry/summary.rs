@@ -29,6 +29,9 @@ pub(super) struct Summary {
     pub(super) rest: Aabb,
     pub(super) kind: Kind,
     pub(super) lipschitz: f64,
+    /// Whether the sign may change where the value does not pass zero: across a hole of a mesh below. The Lipschitz
+    /// constant holds apart from that.
+    pub(super) jumps: bool,
     /// Every point of value <= d, d > 0, is within d * spread of `bounds`; infinite where nothing is known.
     pub(super) spread: f64,
     /// Every point of value >= -d is within d * spread_rest of `rest`.
@@ -71,6 +74,7 @@ impl Summary {
             rest: facts.rest,
             kind,
             lipschitz: facts.lipschitz,
+            jumps: false,
             spread: facts.spread,
             spread_rest: facts.spread,
             spread_axis: facts.spread,
@@ -91,7 +95,7 @@ impl Summary {
     }
 
     fn surface(surface: &Surface) -> Summary {
-        let (mut bounds, mut rest) = (surface.bounds(), Aabb::ALL);
+        let (mut bounds, mut rest) = (surface.body_bounds(), Aabb::ALL);
         if surface.is_inverted() {
             std::mem::swap(&mut bounds, &mut rest);
         }
@@ -100,6 +104,7 @@ impl Summary {
             rest,
             rounding: (unit, unit * (surface.reach() + surface.diagonal())),
             magnitude: surface.reach() + surface.diagonal(),
+            jumps: surface.has_jumps(),
             sign_method: surface.sign_method(),
             surfaces: true,
             batched: true,
@@ -156,6 +161,7 @@ impl Summary {
             all.rest = Aabb::new(all.rest.lo.max(s.rest.lo), all.rest.hi.min(s.rest.hi));
             all.kind = all.kind.max(s.kind);
             all.lipschitz = all.lipschitz.max(s.lipschitz);
+            all.jumps |= s.jumps;
             all.spread = all.spread.max(s.spread);
             all.spread_rest = if one { s.spread_rest } else { all.spread_rest.max(s.spread_axis) };
             all.spread_axis = all.spread_axis.max(s.spread_axis);
@@ -310,7 +316,7 @@ impl Geometry {
         Properties {
             kind: s.kind,
             sign_method: s.sign_method,
-            lipschitz: s.lipschitz,
+            lipschitz: self.lipschitz(),
             primitives: s.primitives,
             bytes: self.bytes(&mut HashSet::new()),
         }

@@ -15,5 +15,6 @@ pub(crate) mod overlap;
 pub(crate) mod polygon;
 pub(crate) mod profile;
 pub(crate) mod ray;
+pub(crate) mod solid_angle;
 pub(crate) mod sphere;
 pub(crate) mod triangle;

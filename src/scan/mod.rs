@@ -25,6 +25,9 @@ const PIECE: usize = 4096;
 const LINES: usize = 4096;
 const ROWS: [usize; 2] = [4, 16];
 
+/// Points a side of cubes that are not looked at more closely.
+const UNSETTLED: usize = 4;
+
 /// Triangles to be drawn.
 pub(crate) trait Triangles: Sync {
     fn count(&self) -> usize;
@@ -32,6 +35,9 @@ pub(crate) trait Triangles: Sync {
     fn bounds(&self) -> Aabb;
     /// Calls `visit` for every triangle whose box meets a region, and maybe for others.
     fn each_in(&self, region: Aabb, visit: &mut dyn FnMut(u32));
+    /// Whether in a box, away from triangles, the winding number says all. What it does not is told as if a triangle were
+    /// near.
+    fn is_settled(&self, region: Aabb) -> bool;
 }
 
 /// The lines of a lattice along one axis, cut into slabs.
@@ -48,6 +54,8 @@ pub(crate) struct Scan<'a, T> {
     /// Those of slab k are `members[start[k]..start[k + 1]]`.
     start: Vec<u32>,
     members: Vec<u32>,
+    /// Where not all is settled, by indices.
+    unsettled: Vec<[Range<usize>; 3]>,
 }
 
 /// What is found in one slab, and buffers that serve one slab after another.
@@ -90,10 +98,21 @@ impl<'a, T: Triangles> Scan<'a, T> {
         let (across, along) = if axis == 2 { (1, 0) } else { (2, 1 - axis) };
         let axes = [Axis::new(axes[0])?, Axis::new(axes[1])?, Axis::new(axes[2])?];
         let rows = (LINES / axes[along].len().max(1)).clamp(ROWS[0], ROWS[1]);
-        let mut scan =
-            Scan { triangles, axes, axis, across, along, rows, room, start: Vec::new(), members: Vec::new() };
+        let mut scan = Scan {
+            triangles,
+            axes,
+            axis,
+            across,
+            along,
+            rows,
+            room,
+            start: vec![],
+            members: vec![],
+            unsettled: vec![],
+        };
         if scan.axes.iter().all(|axis| axis.len() > 0) {
             scan.put_into_slabs(run)?;
+            scan.find_unsettled([0, 1, 2].map(|k| 0..scan.axes[k].len()))?;
         }
         Ok(scan)
     }
@@ -166,6 +185,27 @@ impl<'a, T: Triangles> Scan<'a, T> {
         Ok(())
     }
 
+    /// Halves a cube of points until its pieces are settled or small.
+    fn find_unsettled(&mut self, cube: [Range<usize>; 3]) -> Result<()> {
+        let end = |k: usize, at: usize| self.axes[k].at(at);
+        let corner = |last: bool| [0, 1, 2].map(|k| end(k, if last { cube[k].end - 1 } else { cube[k].start }));
+        let region = Aabb::new(Vec3::from_array(corner(false)), Vec3::from_array(corner(true)));
+        if self.triangles.is_settled(region) {
+            return Ok(());
+        }
+        let longest = (0..3).fold(0, |most, k| if cube[k].len() > cube[most].len() { k } else { most });
+        if cube[longest].len() <= UNSETTLED {
+            return push(&mut self.unsettled, cube).map_err(|_| Error::memory("cubes", self.unsettled.len() + 1));
+        }
+        let Range { start, end } = cube[longest];
+        for half in [start..start.midpoint(end), start.midpoint(end)..end] {
+            let mut piece = cube.clone();
+            piece[longest] = half;
+            self.find_unsettled(piece)?;
+        }
+        Ok(())
+    }
+
     #[inline(always)]
     fn slabs_of(&self, t: [Vec3; 3], region: &Aabb) -> [u32; 2] {
         let (lo, hi) = ends(t);
@@ -231,6 +271,13 @@ impl<'a, T: Triangles> Scan<'a, T> {
                 slab.near.sort_unstable();
                 slab.near.dedup();
                 most = 2 * slab.near.len() + 4096;
+            }
+        }
+        for cube in &self.unsettled {
+            let across = common(&cube[self.across], &rows);
+            for (row, column) in across.flat_map(|row| cube[self.along].clone().map(move |column| (row, column))) {
+                let line = ((row - rows.start) * width + column) as u32;
+                cube[self.axis].clone().for_each(|k| full |= push(&mut slab.near, [line, k as u32]).is_err());
             }
         }
         if full {

@@ -8,6 +8,7 @@
 pub mod bodies;
 mod description;
 pub mod edges;
+pub mod lattices;
 pub mod native;
 pub mod obj_files;
 pub mod points;

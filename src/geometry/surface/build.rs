@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
+use super::choose::choose;
 use super::normals::normals;
-use super::{ALONE, Doubts, Kept, Leaf, NO_FACE, NO_TRIANGLE, Origin, PIECE, Sides, Sign, Surface, Triangles};
+use super::{
+    ALONE, Closing, Doubts, Kept, Leaf, NO_FACE, NO_TRIANGLE, NO_VOLUME, Origin, PIECE, Sides, Sign, Surface, Triangles,
+};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
 use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
 use crate::geometry::segment::NO_TAG;
-use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
+use crate::geometry::{Accelerator, SdfOptions};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::{HalfEdges, Mesh, Triangle};
+use crate::mesh::{self, HalfEdges, Mesh, Triangle};
 use crate::parallel::Run;
 use crate::primitive::estimate::Estimates;
 use crate::simd::lanes::WIDTH;
@@ -18,7 +21,6 @@ use std::sync::Arc;
 impl Surface {
     /// Builds the distance to a mesh. O(n log n), the check that it does not pass through itself included.
     pub(crate) fn new(mesh: &Mesh, options: &SdfOptions, run: &Run) -> Result<Surface> {
-        let sign = choose_sign(mesh, options)?;
         let distinct = mesh.without_copies()?;
         let mesh = distinct.as_ref().unwrap_or(mesh);
         let of_triangles = HalfEdges::of_pieces(mesh)?;
@@ -27,12 +29,25 @@ impl Surface {
             return Err(Error::new(Status::Topology, "mesh: no triangle has three different corners"));
         }
         let (vertices, pieces) = (mesh.vertices(), mesh.triangles());
+        let sign = choose(mesh, vertices, pieces, topology, options)?;
         let (triangles, neighbours) = shape(mesh, pieces, topology, run)?;
         let kept = Kept { triangles: Arc::new(triangles), topology: neighbours.into(), asked: (options.sign, sign) };
         let bounds = |t: usize| Aabb::of(pieces[t].corners(vertices));
         let silent = run.silent();
         let (tree, leaves) = Tree::build(pieces.len(), &bounds, LEAF_SIZE, &silent)?;
-        let far_winding = i32::from(sign != Sign::Unsigned && mesh.surface().volume < 0.0);
+        let is_inverted = match sign {
+            Sign::Pseudonormal | Sign::Crossings => match Closing::caps(topology, vertices)? {
+                None => mesh.surface().volume < 0.0,
+                Some(caps) => {
+                    let center = Aabb::of(vertices.iter().copied()).center();
+                    let volume = mesh::volume(vertices, pieces, center) + caps.volume(center);
+                    // Of a sheet and its caps there may be none but for rounding.
+                    volume < -NO_VOLUME * mesh.bounds().diagonal().powi(3)
+                }
+            },
+            Sign::Unsigned | Sign::Votes | Sign::Axis(_) => false,
+        };
+        let far_winding = i32::from(is_inverted);
         let vertices = try_copy("vertices", vertices)?;
         let mut surface = Surface::over(kept, vertices, (tree, &leaves), topology, far_winding, &silent)?;
         if surface.sign == Sign::Pseudonormal {
@@ -43,7 +58,9 @@ impl Surface {
 
     /// What remains to be done when the sign is known.
     pub(super) fn laid_out(mut self, accelerator: Accelerator, leaves: Leaves) -> Result<Surface> {
-        self.sides = Sides::new(&self)?;
+        if !matches!(self.sign, Sign::Votes | Sign::Axis(_)) {
+            self.sides = Sides::new(&self)?;
+        }
         match accelerator {
             Accelerator::Auto => {}
             Accelerator::None => (self.tree, self.leaves) = (None, Array::default()),
@@ -107,52 +124,18 @@ impl Surface {
             asked: kept.asked,
             doubts: Doubts::default(),
             sides: Sides::default(),
+            closing: None,
             far_winding,
+        };
+        surface.closing = match sign {
+            Sign::Unsigned => None,
+            Sign::Pseudonormal | Sign::Crossings => Closing::caps(topology, &surface.vertices)?,
+            Sign::Votes | Sign::Axis(_) => Closing::rim(topology, &surface.vertices)?,
         };
         if sign == Sign::Pseudonormal {
             surface.distrust_unclear_normals(topology, run)?;
         }
         Ok(surface)
-    }
-}
-
-/// The sign the options ask for and the mesh can have.
-fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
-    if options.open != Open::Error {
-        return Err(Error::unsupported(format!(
-            "options.open: {} (CAP 1, SWEEP 2) is not available in this version",
-            options.open as i32
-        )));
-    }
-    let surface = mesh.surface();
-    match options.sign {
-        SignMethod::None => return Ok(Sign::Unsigned),
-        SignMethod::Winding | SignMethod::Axis => {
-            return Err(Error::unsupported(format!(
-                "options.sign: {} (WINDING 2, AXIS 4) is not available in this version",
-                options.sign as i32
-            )));
-        }
-        _ => {}
-    }
-    if surface.unbalanced_edges > 0 {
-        let report = mesh.report();
-        return Err(Error::new(
-            Status::Topology,
-            format!(
-                "mesh: it has no inside: {} boundary edges, {} non-manifold edges and {} inconsistent edges as read, {} edges after orientation that do not have as many faces one way as the other; repair it (emb_mesh_repair; emb_mesh_diagnose tells what is needed, such as the hole_length of each rim), or take sign EMB_SIGN_NONE (5) for the unsigned distance",
-                report.boundary_edges, report.nonmanifold_edges, report.inconsistent_edges, surface.unbalanced_edges
-            ),
-        ));
-    }
-    let manifold = surface.nonmanifold_edges == 0;
-    match options.sign {
-        SignMethod::Pseudonormal if !manifold => Err(Error::new(
-            Status::Topology,
-            format!("mesh: {} non-manifold edges have no pseudonormal; use AUTO or RAY", surface.nonmanifold_edges),
-        )),
-        SignMethod::Ray => Ok(Sign::Crossings),
-        _ => Ok(if manifold { Sign::Pseudonormal } else { Sign::Crossings }),
     }
 }
 

@@ -11,9 +11,11 @@ use crate::bvh::Leaves;
 use crate::error::{Error, Result, Status, filled};
 use crate::geometry::SignMethod;
 use crate::geometry::contacts::Contacts;
-use crate::math::Vec3;
+use crate::math::{Aabb, Vec3};
 use crate::mesh::{HalfEdges, Sets, Triangle};
 use crate::parallel::Run;
+use crate::primitive::contact::triangles_touch;
+use crate::primitive::polygon::are_collinear;
 
 /// Where more pairs meet than this and one in so many triangles, crossings decide everywhere.
 const LEAST_MOST: usize = 64;
@@ -55,6 +57,7 @@ impl Surface {
         let count = self.triangles.len();
         let mut doubts = Doubts::default();
         pairs.iter().flatten().try_for_each(|&t| doubts.add(t, count))?;
+        self.at_caps(|t| doubts.add(t, count))?;
         self.misplaced_regions(&doubts)?.into_iter().try_for_each(|t| doubts.add(t, count))?;
         self.doubt(doubts)
     }
@@ -101,6 +104,24 @@ impl Surface {
         let Some(tree) = &self.tree else { return Ok(Vec::new()) };
         let contacts = Contacts::new(&self.vertices, triangles, topology, self.rounding(), false, run)?;
         Ok(contacts.find(tree, leaves, limit, run)?.pairs)
+    }
+
+    /// The triangles that caps of holes touch: beyond a cap the winding number with the caps is another, and so a region
+    /// ends there.
+    fn at_caps(&self, mut visit: impl FnMut(u32) -> Result<()>) -> Result<()> {
+        let Some(caps) = &self.closing else { return Ok(()) };
+        for cap in (0..caps.len() as u32).map(|cap| caps.corners(cap)) {
+            let mut done = Ok(());
+            let [a, b, c] = cap;
+            let is_flat = are_collinear(a, b, c);
+            self.overlapping(Aabb::of(cap), |t| {
+                if done.is_ok() && (is_flat || triangles_touch(self.corners(t), cap)) {
+                    done = visit(t);
+                }
+            });
+            done?;
+        }
+        Ok(())
     }
 
     /// Walls thinner than this have one side to a point beside them: either of their faces may be the nearest.

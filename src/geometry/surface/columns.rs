@@ -32,7 +32,13 @@ impl<'a> Columns<'a> {
     pub(super) fn signed(&mut self, [i, j, _]: [usize; 3], p: Vec3, nearest: &Nearest) -> Result<f64> {
         match self.surface.sign_by_normal(p, nearest) {
             Some(is_inside) => Ok(if is_inside { -nearest.distance } else { nearest.distance }),
-            None => Ok(if self.winding(i + self.width * j, p)? >= 1 { -nearest.distance } else { nearest.distance }),
+            None => {
+                let is_inside = match self.surface.closing {
+                    None => self.winding(i + self.width * j, p)? >= 1,
+                    Some(_) => self.surface.is_inside(p),
+                };
+                Ok(if is_inside { -nearest.distance } else { nearest.distance })
+            }
         }
     }
 

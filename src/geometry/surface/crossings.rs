@@ -5,6 +5,7 @@
 use super::Surface;
 use crate::math::{Aabb, Vec3};
 use crate::primitive::crossing::{AxisLine, segment_meets};
+use crate::scan::Triangles;
 
 /// One meeting of a segment with a triangle.
 #[derive(Clone, Copy, Debug)]
@@ -19,12 +20,12 @@ pub(crate) struct Hit {
 }
 
 impl Surface {
-    /// All meetings with the open segment, in order; of equal ones the lower triangle first.
+    /// All meetings with the open segment, those with caps of holes included, in order; of equal ones the lower triangle first.
     pub(crate) fn hits(&self, a: Vec3, b: Vec3) -> Vec<Hit> {
         let mut hits = Vec::new();
         let differing: Vec<usize> = (0..3).filter(|&k| a[k] != b[k]).collect();
-        self.overlapping(Aabb::of([a, b]), |triangle| {
-            let corners = self.corners(triangle);
+        self.each_in(Aabb::of([a, b]), &mut |triangle| {
+            let corners = Triangles::corners(self, triangle);
             let change = match differing[..] {
                 [axis] => along_axis(axis, a, b, corners),
                 _ => -segment_meets(a, b, corners),

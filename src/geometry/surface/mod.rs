@@ -5,12 +5,15 @@
 mod band;
 mod build;
 mod check;
+mod choose;
+mod closing;
 mod columns;
 mod crossings;
 mod cube;
 mod few;
 mod nearest;
 mod normals;
+mod open;
 mod pack;
 mod rays;
 mod refit;
@@ -22,6 +25,7 @@ mod visits;
 mod waiting;
 
 pub(crate) use band::{BandSlab, BandWork};
+use closing::Closing;
 pub(crate) use crossings::Hit;
 pub(crate) use nearest::Nearest;
 pub(crate) use rays::Met;
@@ -50,6 +54,9 @@ const ALONE: u32 = u32::MAX;
 
 /// In the place of a neighbour: the edge's pseudonormal decides nothing.
 const UNCLEAR: u32 = u32::MAX - 1;
+
+/// A volume of less than this share of the diagonal's cube has no side.
+const NO_VOLUME: f64 = 1e-12;
 
 /// Triangles or vertices that a thread does in one go.
 const PIECE: usize = 4096;
@@ -130,6 +137,8 @@ pub(crate) struct Surface {
     doubts: Doubts,
     /// Where the surface is not.
     sides: Sides,
+    /// What it lacks, where it is open and has a sign.
+    closing: Option<Closing>,
     /// Winding number far away: 1 where an inside-out mesh was kept, else 0.
     far_winding: i32,
 }
@@ -166,8 +175,13 @@ impl Doubts {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sign {
     Pseudonormal,
+    /// The winding number: of an open surface the generalised one, which pseudonormals may stand in for as well.
     Crossings,
     Unsigned,
+    /// What most rays along the axes say, of an open surface.
+    Votes,
+    /// Whether anything is met along this axis.
+    Axis(u8),
 }
 
 impl Surface {
@@ -198,12 +212,15 @@ impl Surface {
     }
 
     pub(crate) fn sign_method(&self) -> SignMethod {
-        match self.sign {
-            Sign::Pseudonormal if self.doubts.bits.is_empty() => SignMethod::Pseudonormal,
+        match (self.asked.0, self.sign) {
+            (_, Sign::Unsigned) => SignMethod::None,
+            (_, Sign::Axis(_)) => SignMethod::Axis,
+            (_, Sign::Votes) => SignMethod::Ray,
+            (SignMethod::Winding, _) => SignMethod::Winding,
+            _ if self.closing.is_some() => SignMethod::Winding,
+            (_, Sign::Pseudonormal) if self.doubts.bits.is_empty() => SignMethod::Pseudonormal,
             // Of both, what counts is the one that is right everywhere.
-            Sign::Pseudonormal => SignMethod::Ray,
-            Sign::Crossings => SignMethod::Ray,
-            Sign::Unsigned => SignMethod::None,
+            _ => SignMethod::Ray,
         }
     }
 
@@ -237,11 +254,12 @@ impl Surface {
             + size_of_val(&self.vertex_normals[..])
             + size_of_val(&self.doubts.bits[..])
             + self.sides.bytes()
+            + self.closing.as_ref().map_or(0, Closing::bytes)
     }
 
     /// Feeds the bits that define every answer to `add`.
     pub(crate) fn fingerprint(&self, add: &mut impl FnMut(u64)) {
-        add(self.sign as u64);
+        add(pack::number_of(&pack::SIGNS, &self.sign));
         add(self.far_winding as u64);
         self.doubts.bits.iter().for_each(|bits| add(*bits));
         for v in &self.vertices {

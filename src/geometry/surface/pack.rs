@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Surfaces in relocatable blocks: all of their arrays as they are, so that nothing is made anew.
 
+use super::closing::Closing;
 use super::sides::Sides;
 use super::{ALONE, Doubts, Leaf, NO_TRIANGLE, Origin, Sign, Surface, Triangles, UNCLEAR};
 use crate::bvh::{Leaves, Tree, each_once};
@@ -21,14 +22,15 @@ const METHODS: [SignMethod; 6] = [
     SignMethod::Axis,
     SignMethod::None,
 ];
-const SIGNS: [Sign; 3] = [Sign::Pseudonormal, Sign::Crossings, Sign::Unsigned];
+pub(super) const SIGNS: [Sign; 7] =
+    [Sign::Pseudonormal, Sign::Crossings, Sign::Unsigned, Sign::Votes, Sign::Axis(0), Sign::Axis(1), Sign::Axis(2)];
 
 /// The layouts: no hierarchy, leaves side by side, compact.
 const PLAIN: usize = 0;
 const FULL: usize = 1;
 const COMPACT: usize = 2;
 
-fn number_of<T: PartialEq>(all: &[T], one: &T) -> u64 {
+pub(super) fn number_of<T: PartialEq>(all: &[T], one: &T) -> u64 {
     all.iter().position(|other| other == one).unwrap_or(all.len()) as u64
 }
 
@@ -49,6 +51,10 @@ impl Surface {
         out.word(number_of(&SIGNS, &self.asked.1));
         out.word(u64::from(self.far_winding == 1));
         self.sides.pack(out);
+        out.word(u64::from(self.closing.is_some()));
+        if let Some(closing) = &self.closing {
+            closing.pack(out);
+        }
         match (&self.tree, &self.compact) {
             (None, _) => out.word(PLAIN as u64),
             (Some(tree), None) => {
@@ -88,6 +94,7 @@ impl Surface {
         let asked = (METHODS[from.index(METHODS.len(), "sign")?], SIGNS[from.index(SIGNS.len(), "sign")?]);
         let far_winding = i32::from(from.flag()?);
         let sides = Sides::unpack(from)?;
+        let closing = if from.flag()? { Some(Closing::unpack(from)?) } else { None };
         let mut surface = Surface {
             leaves: Default::default(),
             compact: None,
@@ -104,6 +111,7 @@ impl Surface {
             asked,
             doubts,
             sides,
+            closing,
             far_winding,
         };
         match from.index(3, "layout")? {

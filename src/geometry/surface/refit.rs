@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The same triangles over vertices that have moved: what hangs together stays shared, what lies where is made anew.
 
-use super::{Kept, PIECE, Sign, Surface};
+use super::{Closing, Kept, NO_VOLUME, PIECE, Sign, Surface};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
 use crate::error::{Error, Result, Status, filled, try_with_capacity};
 use crate::geometry::{Accelerator, RefitCheck};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::{self, HalfEdges, LARGEST_COORDINATE, SMALLEST_DIAGONAL, Triangle};
 use crate::parallel::Run;
-
-/// A volume of less than this share of the diagonal's cube has no side.
-const NO_VOLUME: f64 = 1e-12;
 
 impl Surface {
     /// The distance to the triangles over other vertices, three coordinates each. O(n), but for the check.
@@ -23,8 +20,8 @@ impl Surface {
             face: self.triangles.origin(t).face,
             turned: self.triangles.is_turned(t),
         }));
-        self.keeps_its_side(&vertices, &triangles, silent)?;
         let topology = HalfEdges::of_neighbours(vertices.len(), &triangles, &self.topology)?;
+        self.keeps_its_side(&vertices, &triangles, &topology, silent)?;
         let bounds = |t: u32| Aabb::of(triangles[t as usize].corners(&vertices));
         let (tree, order) = match &self.tree {
             Some(tree) => {
@@ -87,8 +84,8 @@ impl Surface {
     }
 
     /// Whether the inside is still where it was: no motion of a body turns it inside out, a reflection does.
-    fn keeps_its_side(&self, vertices: &[Vec3], triangles: &[Triangle], run: &Run) -> Result<()> {
-        if !self.is_signed() {
+    fn keeps_its_side(&self, vertices: &[Vec3], triangles: &[Triangle], topology: &HalfEdges, run: &Run) -> Result<()> {
+        if !matches!(self.sign, Sign::Pseudonormal | Sign::Crossings) {
             return Ok(());
         }
         let bounds = Aabb::of(vertices.iter().copied());
@@ -98,7 +95,8 @@ impl Surface {
             volume[0] = mesh::volume(vertices, members, bounds.center());
             Ok(())
         })?;
-        let volume: f64 = volumes.iter().sum();
+        let caps = Closing::caps(topology, vertices)?.map_or(0.0, |caps| caps.volume(bounds.center()));
+        let volume = volumes.iter().sum::<f64>() + caps;
         let diagonal = bounds.diagonal();
         let least = NO_VOLUME * diagonal * diagonal * diagonal;
         if volume.abs() > least && (volume < 0.0) != self.is_inverted() {

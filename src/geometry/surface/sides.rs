@@ -62,6 +62,15 @@ impl Sides {
                 cells[index] = NEAR;
             }
         }
+        if surface.closing.is_some() {
+            for (index, cell_is) in cells.iter_mut().enumerate() {
+                let at = [index % CELLS, index / CELLS % CELLS, index / CELLS / CELLS].map(|k| k as f64);
+                let corner = sides.lo + cell * Vec3::from_array(at);
+                if *cell_is == UNKNOWN && !surface.settles(Aabb::new(corner - room, corner + cell + room)) {
+                    *cell_is = NEAR;
+                }
+            }
+        }
         sides.settle(surface, &mut cells)?;
         let mut outside = filled("cells", CELLS * CELLS, 0)?;
         let mut inside = filled("cells", CELLS * CELLS, 0)?;
@@ -86,7 +95,7 @@ impl Sides {
                 return Ok(());
             }
             let at = [from % CELLS, from / CELLS % CELLS, from / CELLS / CELLS].map(|k| k as f64 + 0.5);
-            let is_inside = surface.is_signed() && surface.winding(self.lo + Vec3::from_array(at) / self.density) >= 1;
+            let is_inside = surface.is_inside(self.lo + Vec3::from_array(at) / self.density);
             let side = if is_inside { INSIDE } else { OUTSIDE };
             cells[from] = side;
             waiting.push(from);
@@ -176,6 +185,6 @@ impl Surface {
             let is_large = (b.hi - b.lo).max_element() > 1e6 * RELATIVE_ERROR * (self.reach() + self.diagonal);
             return is_large.then_some(0);
         }
-        Some(if self.is_signed() && self.winding(b.center()) >= 1 { -1 } else { 1 })
+        Some(self.side_of_clear(b))
     }
 }

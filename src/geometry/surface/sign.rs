@@ -23,7 +23,7 @@ impl Surface {
     /// The signed distance of a point whose nearest triangle is known.
     pub(crate) fn signed(&self, p: Vec3, nearest: &Nearest) -> f64 {
         let d = nearest.distance;
-        if self.sign_by_normal(p, nearest).unwrap_or_else(|| self.winding(p) >= 1) { -d } else { d }
+        if self.sign_by_normal(p, nearest).unwrap_or_else(|| self.is_inside(p)) { -d } else { d }
     }
 
     /// Gradient of the signed distance, which is `value` at `p`; on the surface, the pseudonormal.
@@ -49,14 +49,15 @@ impl Surface {
         if nearest.distance == 0.0 || self.sign == Sign::Unsigned {
             return Some(false);
         }
-        if !self.bounds.contains(p) {
+        if !self.is_near_bounds(p) {
             // Far away, rounding may choose any triangle as the nearest one.
             return Some(self.far_winding >= 1);
         }
         if self.sign == Sign::Pseudonormal && self.is_clear(nearest) && !self.doubts.has(nearest.triangle) {
             let (offset, normal) = (p - nearest.point, self.pseudonormal(nearest));
             let along = offset.dot(normal);
-            if along.abs() > CLEAR_COSINE * length(offset) * length(normal) {
+            if along.abs() > CLEAR_COSINE * length(offset) * length(normal) && self.settles_within(p, nearest.distance)
+            {
                 return Some(along < 0.0);
             }
         }
@@ -77,7 +78,8 @@ impl Surface {
         }
     }
 
-    /// The winding number of the surface around `p`: exact for a closed surface. At least 1 is inside.
+    /// The winding number around `p`, exact: of a surface with holes, that of it and its caps. Of a closed one, at least 1
+    /// is inside.
     pub(crate) fn winding(&self, p: Vec3) -> i32 {
         if !self.bounds.contains(p) {
             return self.far_winding;
@@ -92,6 +94,6 @@ impl Surface {
                 winding += turn;
             }
         });
-        winding
+        winding + self.closing.as_ref().map_or(0, |caps| caps.winding(p))
     }
 }

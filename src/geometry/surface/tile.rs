@@ -9,7 +9,7 @@ use super::few::{self, Cell, FIRST, Few};
 use super::{Nearest, Surface};
 use crate::bvh::{LeafList, Tree};
 use crate::error::Result;
-use crate::math::Vec3;
+use crate::math::{Aabb, Vec3};
 use crate::simd::float8::Simd;
 use crate::simd::lanes::WIDTH;
 use crate::simd::{Kernel, dispatch};
@@ -139,6 +139,12 @@ impl Surface {
         let rounding = 1e-13 * (p.abs().max_element() + self.reach() + self.diagonal + nearest.distance);
         if nearest.distance - radius - rounding <= block.far.max(rounding) {
             return Ok(false);
+        }
+        if self.closing.is_some() {
+            let whole = Aabb::of(cube.corners().map(|c| block.point(c)));
+            if self.side_of_clear(whole) == 0 {
+                return Ok(false);
+            }
         }
         let value = columns.signed(middle, p, &nearest)?;
         cube.points().for_each(|at| out[block.place(at)] = value);
