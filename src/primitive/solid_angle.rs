@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The solid angle of a plane triangle (van Oosterom & Strackee 1983, "The solid angle of a plane triangle").
 
+use super::triangle::{Prepared, V3, nearest};
 use crate::math::{Vec3, length};
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// Nearer to an edge than this, in lengths of it, a point is on it.
 const ON_EDGE: f64 = 1e-13;
+
+/// A solid angle that does not count.
+const NOTHING: f64 = 1e-6;
 
 /// The solid angle under which a triangle is seen, positive from behind: 4 pi in sum, from within a closed surface. Its sign
 /// is exact, and on the plane of the triangle that of a point moved as [`super::crossing`] moves lines, so that with the
@@ -16,8 +20,14 @@ pub(crate) fn solid_angle([a, b, c]: [Vec3; 3], p: Vec3) -> Option<f64> {
     let [lu, lv, lw] = [length(u), length(v), length(w)];
     let across = u.dot(v.cross(w)).abs();
     let below = lu * lv * lw + u.dot(v) * lw + v.dot(w) * lu + w.dot(u) * lv;
-    let is_clear = across + below.abs() > ON_EDGE * (lu * lv * lw);
-    is_clear.then(|| 2.0 * libm::atan2(across * side([a, b, c], p), below))
+    if across + below.abs() > ON_EDGE * (lu * lv * lw) {
+        return Some(2.0 * libm::atan2(across * side([a, b, c], p), below));
+    }
+    // Beside what is next to a line, rounding alone decides; what can be seen of it is nothing.
+    let apart = nearest(&Prepared::new([a, b, c]), V3::from_vec(p)).squared.sqrt();
+    let longest = length(b - a).max(length(c - b)).max(length(a - c));
+    // A strip of the width w is seen under 2 w / d at most.
+    (2.0 * length((b - a).cross(c - a)) <= NOTHING * apart * longest).then_some(0.0)
 }
 
 /// +1 behind the plane of a triangle, -1 before it; 0 where it has none.
