@@ -4,6 +4,7 @@
 
 mod common;
 
+use common::edges::crossings;
 use common::lattices::{Axes, around, banded, compared, even, signs, through};
 use common::random::Random;
 use common::{Soup, bodies};

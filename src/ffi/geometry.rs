@@ -8,11 +8,13 @@ use super::constants::{
 };
 use super::error::{emb_status, guard, plain, quiet};
 use super::handle::{Handle, give, lend, release, share, writable};
+use super::lists::give_text;
 use super::mesh::emb_mesh;
 use super::run::{emb_run, with_run};
 use super::versioned::{self, Versioned};
 use crate::error::{Error, Result};
 use crate::geometry::{Accelerator, Geometry, Open, SdfOptions, SignMethod};
+use std::ffi::c_char;
 use std::mem::{offset_of, size_of};
 
 /// An implicit function: negative inside the body, positive outside, zero on the surface and counted as
@@ -168,6 +170,22 @@ pub unsafe extern "C" fn emb_geom_from_mesh(
             Ok(())
         })
     })
+}
+
+/// How the sign of a geometry's meshes is decided, and why: a line each, separated by line feeds, none where there is no
+/// mesh; a shared mesh is told of once. For people: the words may change, emb_geom_properties.sign_method does not.
+/// capacity 0: only out_size is written, which counts the zero byte at the end; else out_text holds `capacity` bytes, at
+/// least that many. Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity too small),
+/// EMB_ERROR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn emb_geom_sign_text(
+    g: *const emb_geom,
+    capacity: usize,
+    out_text: *mut c_char,
+    out_size: *mut usize,
+) -> emb_status {
+    // SAFETY: pointers as the header asks.
+    guard(|| unsafe { give_text("out_text", &lend("g", g)?.sign_text(), capacity, out_text, out_size) })
 }
 
 /// The same body, labelled: closest points, crossings and intercepts on it report `part`. Of nested labels the

@@ -322,6 +322,23 @@ impl Geometry {
         }
     }
 
+    /// A line for each mesh: how its sign is decided, and why. A shared mesh is told of once.
+    pub fn sign_text(&self) -> String {
+        let (mut seen, mut lines) = (HashSet::new(), Vec::new());
+        self.sign_lines(&mut seen, &mut lines);
+        lines.join("\n")
+    }
+
+    fn sign_lines(&self, seen: &mut HashSet<usize>, lines: &mut Vec<String>) {
+        if !seen.insert(Arc::as_ptr(&self.inner) as usize) {
+            return;
+        }
+        if let Node::Surface(surface) = self.node() {
+            lines.push(surface.sign_text());
+        }
+        self.node().children().iter().for_each(|g| g.sign_lines(seen, lines));
+    }
+
     /// Bytes of the nodes not seen before; shared parts are walked once.
     fn bytes(&self, seen: &mut HashSet<usize>) -> u64 {
         if !seen.insert(Arc::as_ptr(&self.inner) as usize) {

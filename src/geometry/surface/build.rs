@@ -4,7 +4,8 @@
 use super::choose::choose;
 use super::normals::normals;
 use super::{
-    ALONE, Closing, Doubts, Kept, Leaf, NO_FACE, NO_TRIANGLE, NO_VOLUME, Origin, PIECE, Sides, Sign, Surface, Triangles,
+    ALONE, Closing, Doubts, Kept, Leaf, NO_FACE, NO_TRIANGLE, NO_VOLUME, Origin, PIECE, Sides, Sign, Surface,
+    Triangles, Why,
 };
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
 use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
@@ -50,6 +51,7 @@ impl Surface {
         let far_winding = i32::from(is_inverted);
         let vertices = try_copy("vertices", vertices)?;
         let mut surface = Surface::over(kept, vertices, (tree, &leaves), topology, far_winding, &silent)?;
+        surface.why.nonmanifold = mesh.surface().nonmanifold_edges;
         if surface.sign == Sign::Pseudonormal {
             surface.check_embedding(pieces, topology, &leaves, run)?;
         }
@@ -125,6 +127,7 @@ impl Surface {
             doubts: Doubts::default(),
             sides: Sides::default(),
             closing: None,
+            why: Why::default(),
             far_winding,
         };
         surface.closing = match sign {
@@ -132,6 +135,9 @@ impl Surface {
             Sign::Pseudonormal | Sign::Crossings => Closing::caps(topology, &surface.vertices)?,
             Sign::Votes | Sign::Axis(_) => Closing::rim(topology, &surface.vertices)?,
         };
+        if let Some(closing) = &surface.closing {
+            (surface.why.loops, surface.why.edges) = (closing.loops(), closing.len());
+        }
         if sign == Sign::Pseudonormal {
             surface.distrust_unclear_normals(topology, run)?;
         }

@@ -50,6 +50,7 @@ impl Surface {
             let message = format!("options.sign: PSEUDONORMAL is not right on this mesh: {fault}; use AUTO or RAY");
             return Err(Error::new(Status::Topology, message));
         }
+        (self.why.pairs, self.why.more_pairs) = (pairs.len(), pairs.len() > most);
         if pairs.len() > most {
             self.sign = Sign::Crossings;
             return Ok(());

@@ -23,6 +23,7 @@ mod sign;
 mod tile;
 mod visits;
 mod waiting;
+mod why;
 
 pub(crate) use band::{BandSlab, BandWork};
 use closing::Closing;
@@ -31,6 +32,7 @@ pub(crate) use nearest::Nearest;
 pub(crate) use rays::Met;
 use sides::Sides;
 pub(crate) use tile::Block;
+use why::Why;
 
 use crate::bvh::{Leaves, Tree};
 use crate::error::{Result, filled};
@@ -139,6 +141,7 @@ pub(crate) struct Surface {
     sides: Sides,
     /// What it lacks, where it is open and has a sign.
     closing: Option<Closing>,
+    why: Why,
     /// Winding number far away: 1 where an inside-out mesh was kept, else 0.
     far_winding: i32,
 }

@@ -3,7 +3,7 @@
 
 use super::closing::Closing;
 use super::sides::Sides;
-use super::{ALONE, Doubts, Leaf, NO_TRIANGLE, Origin, Sign, Surface, Triangles, UNCLEAR};
+use super::{ALONE, Doubts, Leaf, NO_TRIANGLE, Origin, Sign, Surface, Triangles, UNCLEAR, Why};
 use crate::bvh::{Leaves, Tree, each_once};
 use crate::error::Result;
 use crate::geometry::SignMethod;
@@ -55,6 +55,7 @@ impl Surface {
         if let Some(closing) = &self.closing {
             closing.pack(out);
         }
+        self.why.pack(out);
         match (&self.tree, &self.compact) {
             (None, _) => out.word(PLAIN as u64),
             (Some(tree), None) => {
@@ -95,6 +96,7 @@ impl Surface {
         let far_winding = i32::from(from.flag()?);
         let sides = Sides::unpack(from)?;
         let closing = if from.flag()? { Some(Closing::unpack(from)?) } else { None };
+        let why = Why::unpack(from)?;
         let mut surface = Surface {
             leaves: Default::default(),
             compact: None,
@@ -112,6 +114,7 @@ impl Surface {
             doubts,
             sides,
             closing,
+            why,
             far_winding,
         };
         match from.index(3, "layout")? {

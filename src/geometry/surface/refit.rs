@@ -32,10 +32,12 @@ impl Surface {
         };
         let kept = Kept { triangles: self.triangles.clone(), topology: self.topology.clone(), asked: self.asked };
         let mut surface = Surface::over(kept, vertices, (tree, &order), &topology, self.far_winding, silent)?;
+        surface.why.nonmanifold = self.why.nonmanifold;
         match (surface.sign, check) {
             (Sign::Pseudonormal, RefitCheck::Check) => surface.check_embedding(&triangles, &topology, &order, run)?,
             (Sign::Pseudonormal, RefitCheck::Trust) => {
                 surface.sign = self.sign;
+                (surface.why.pairs, surface.why.more_pairs) = (self.why.pairs, self.why.more_pairs);
                 surface.doubt(self.doubts.clone())?;
             }
             _ => {}

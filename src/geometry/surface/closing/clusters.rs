@@ -24,10 +24,10 @@ const ROUNDING: f64 = 1e-15;
 const HALF: f64 = 0.5 * SPHERE * (1.0 - 1e-9);
 
 impl Closing {
-    pub(super) fn over(mut corners: Vec<[Vec3; 3]>) -> Result<Closing> {
+    pub(super) fn over(mut corners: Vec<[Vec3; 3]>, loops: usize) -> Result<Closing> {
         let mut clusters = try_with_capacity("clusters", 2 * corners.len().div_ceil(LEAF / 2) + 1)?;
         cluster(&mut corners, 0, &mut clusters);
-        Ok(Closing { corners: corners.into(), clusters: clusters.into() })
+        Ok(Closing { corners: corners.into(), clusters: clusters.into(), loops })
     }
 
     /// Whether every point of a finite box sees the caps under less than half of all directions, so that they do not change

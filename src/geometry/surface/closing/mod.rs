@@ -25,6 +25,7 @@ pub(super) struct Closing {
     corners: Array<[Vec3; 3]>,
     /// Depth first: the first half of a cluster follows it. Leaves come last in each branch.
     clusters: Array<Cluster>,
+    loops: usize,
 }
 
 /// Some caps.
@@ -79,16 +80,23 @@ impl Closing {
         close: impl Fn(&[u32], &mut dyn FnMut([Vec3; 3]) -> Result<()>) -> Result<()>,
     ) -> Result<Option<Closing>> {
         let mut corners: Vec<[Vec3; 3]> = Vec::new();
-        for path in boundary_loops(topology)?.iter() {
+        let loops = boundary_loops(topology)?;
+        for path in loops.iter() {
             close(path, &mut |cap| {
                 corners.try_reserve(1).map_err(|_| Error::memory("caps", corners.len() + 1))?;
                 corners.push(cap);
                 Ok(())
             })?;
         }
-        if corners.is_empty() { Ok(None) } else { Closing::over(corners).map(Some) }
+        if corners.is_empty() { Ok(None) } else { Closing::over(corners, loops.len()).map(Some) }
     }
 
+    /// Loops of the boundary.
+    pub(super) fn loops(&self) -> usize {
+        self.loops
+    }
+
+    /// Caps: one for each edge of the boundary.
     pub(super) fn len(&self) -> usize {
         self.corners.len()
     }

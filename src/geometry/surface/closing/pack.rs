@@ -10,10 +10,12 @@ impl Closing {
     pub(in super::super) fn pack<'a>(&'a self, out: &mut Packer<'a>) {
         out.array(&self.corners);
         out.array(&self.clusters);
+        out.word(self.loops as u64);
     }
 
     pub(in super::super) fn unpack(from: &mut Unpacker) -> Result<Closing> {
-        let closing = Closing { corners: from.array("caps")?, clusters: from.array("clusters")? };
+        let closing =
+            Closing { corners: from.array("caps")?, clusters: from.array("clusters")?, loops: from.word()? as usize };
         if closing.corners.is_empty() || closing.clusters.is_empty() {
             return Err(wrong("an open surface has no caps"));
         }
