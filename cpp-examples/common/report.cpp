@@ -50,7 +50,7 @@ int run_example(const char *name, void (*example)(int argc, char **argv), int ar
     } catch (const embound::Error &error) {
         std::fprintf(stderr, "%s: %s\n", name, error.what());
         if (error.status() == EMB_ERROR_TOPOLOGY) {
-            std::fprintf(stderr, "%s: the mesh cannot be given a sign: only a closed surface has an inside\n", name);
+            std::fprintf(stderr, "%s: the mesh cannot be given a sign: it has no inside but for a guess\n", name);
         }
         return 1;
     } catch (const std::exception &error) {

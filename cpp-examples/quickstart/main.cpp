@@ -138,9 +138,7 @@ void quickstart(int argc, char **argv) {
     const double build_time = seconds([&] { g = embound::from_mesh(mesh, {}, pool); });
     const embound::Properties properties = g.properties();
     std::printf("distance      built in %s, %.1f MB, sign by %s\n", in_words(build_time).c_str(),
-                1e-6 * static_cast<double>(properties.bytes),
-                properties.sign_method == embound::Sign::Pseudonormal ? "pseudonormals"
-                                                                      : "exact crossings: the mesh touches or crosses itself");
+                1e-6 * static_cast<double>(properties.bytes), g.sign_text().c_str());
 
     Grid grid = make_grid(g.bounds(), domain_over_bounds, nodes_per_side);
     const double fill_time = seconds([&] {

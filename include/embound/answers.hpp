@@ -28,9 +28,9 @@ enum class Kind : std::int32_t {
 enum class Sign : std::int32_t {
     Auto = EMB_SIGN_AUTO,                 ///< Chosen from what the mesh is like; properties() says which.
     Pseudonormal = EMB_SIGN_PSEUDONORMAL, ///< Angle-weighted pseudonormals.
-    Winding = EMB_SIGN_WINDING,           ///< Generalised winding number. Not in this version.
-    Ray = EMB_SIGN_RAY,                   ///< Exact crossings of a ray.
-    Axis = EMB_SIGN_AXIS,                 ///< Terrain sheets: solid behind the first hit along an axis. Not in this version.
+    Winding = EMB_SIGN_WINDING,           ///< Generalised winding number, for any mesh, open ones too.
+    Ray = EMB_SIGN_RAY,                   ///< Exact crossings of a ray; of open meshes what most of six rays say.
+    Axis = EMB_SIGN_AXIS,                 ///< Terrain sheets: solid below the first hit down an axis.
     None = EMB_SIGN_NONE                  ///< Baffles: unsigned, never inside.
 };
 

@@ -231,6 +231,13 @@ public:
         return Properties{static_cast<Kind>(c.kind), static_cast<Sign>(c.sign_method), c.lipschitz, c.primitives, c.bytes};
     }
 
+    /// How the sign of its meshes is decided, and why: a line for each mesh.
+    std::string sign_text() const {
+        return detail::text([&](std::size_t capacity, char *out, std::size_t *size) {
+            return emb_geom_sign_text(handle_, capacity, out, size);
+        });
+    }
+
 private:
     /// Three pointers with a stride of three for an array of points.
     static void lend(Point *points, double *(&axes)[3]) noexcept {

@@ -120,18 +120,27 @@ pub const EMB_SPLIT_TAG: i32 = 0;
 /// One mesh for what edges connect, by the lowest face of each.
 pub const EMB_SPLIT_COMPONENT: i32 = 1;
 
-/// Pseudonormals where the surface meets itself in shared edges and vertices only and has the outside on its outer
-/// side, crossings near the faces where it does not, and everywhere where those are many or edges have more than two
+/// Of a closed surface: pseudonormals where it meets itself in shared edges and vertices only and has the outside on its
+/// outer side, crossings near the faces where it does not, and everywhere where those are many or edges have more than two
 /// faces. emb_geom_properties.sign_method is EMB_SIGN_PSEUDONORMAL where pseudonormals decide everywhere, else
-/// EMB_SIGN_RAY.
+/// EMB_SIGN_RAY. Of a surface with small holes: EMB_SIGN_WINDING. A hole is small where, across it, it is less than a third
+/// of the mesh and a cap over it less than 1/40 of the mesh's area; with a larger one the mesh is EMB_ERROR_TOPOLOGY, with a
+/// message that names the loops. emb_geom_sign_text says what was chosen and why.
 pub const EMB_SIGN_AUTO: i32 = 0;
 /// Angle-weighted pseudonormals (Baerentzen & Aanaes 2005), for clean closed meshes.
 pub const EMB_SIGN_PSEUDONORMAL: i32 = 1;
-/// Generalised winding number. Not in this version: EMB_ERROR_UNSUPPORTED.
+/// Inside is where the generalised winding number (Jacobson et al. 2013) is at least 1/2, for any mesh: bodies through each
+/// other are their union, holes are closed by the surface on which the number is 1/2 (of a plane rim, the plane). From
+/// exact crossings and, near holes, solid angles, by clusters (Barill et al. 2018) as far as these decide and exact beyond.
+/// The sign may change across a hole while the value jumps from -d to d; it is that of every question. Beyond the bounds
+/// of the mesh is outside. Of a closed mesh the same as EMB_SIGN_RAY, at the cost of EMB_SIGN_AUTO.
 pub const EMB_SIGN_WINDING: i32 = 2;
-/// Exact crossings of a ray, for closed meshes that intersect themselves.
+/// Exact crossings of a ray, for closed meshes that intersect themselves. Of an open mesh, six rays along the axes: inside is
+/// where at least four of them say so, within the bounds of the mesh.
 pub const EMB_SIGN_RAY: i32 = 3;
-/// Solid behind the first hit along an axis (terrain sheets). Not in this version: EMB_ERROR_UNSUPPORTED.
+/// Terrain: inside is below the highest face, seen down emb_sdf_options.axis (2: z falls), whichever way faces run and
+/// without end; beside the sheet is outside. Of a ceiling take emb_geom_reflect. Below its rim the sign changes while the
+/// value jumps. Lattices are not scanned: signs and crossings of them take longer than of a closed mesh.
 pub const EMB_SIGN_AXIS: i32 = 4;
 /// Unsigned: never inside (baffles, sheets, triangle soup).
 pub const EMB_SIGN_NONE: i32 = 5;

@@ -102,7 +102,8 @@ pub struct emb_geom_properties {
     /// How the sign of the mesh is decided, EMB_SIGN_*; EMB_SIGN_AUTO where there is no mesh, or several
     /// with different methods.
     pub sign_method: i32,
-    /// |f(p) - f(q)| <= lipschitz * |p - q|; INFINITY where unknown.
+    /// |f(p) - f(q)| <= lipschitz * |p - q|; INFINITY where unknown, and where the sign may change across a hole of a
+    /// mesh.
     pub lipschitz: f64,
     /// Triangles and shapes, a shared part as often as it is used.
     pub primitives: u64,
@@ -146,13 +147,13 @@ pub unsafe extern "C" fn emb_sdf_options_init(options: *mut emb_sdf_options, siz
 }
 
 /// The signed distance to a mesh: exact, the same bits with every accelerator, pool and instruction set. The
-/// sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they are right everywhere, and
-/// of exact crossings elsewhere. The distance is that to the nearest face, whichever: where a mesh passes through itself
+/// sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they are right everywhere, of
+/// exact crossings elsewhere, and across small holes that of the winding number (EMB_SIGN_*). The distance is that to the nearest face, whichever: where a mesh passes through itself
 /// also to one within the body, though its kind is EMB_EXACT. `options` may be NULL. The mesh may be freed afterwards.
 /// On success *out_geom is the caller's, to be freed with emb_geom_free.
-/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (an open or inconsistent mesh,
-/// of which emb_mesh_has_inside says 0, with the counts; EMB_SIGN_NONE takes any), EMB_ERROR_UNSUPPORTED (a choice of a
-/// later version), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
+/// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (EMB_SIGN_AUTO on a mesh whose holes
+/// are large, with the loops and the counts; EMB_SIGN_PSEUDONORMAL on one that is open, has edges of more than two faces or
+/// meets itself), EMB_ERROR_UNSUPPORTED (a choice of a later version), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_from_mesh(
     mesh: *const emb_mesh,

@@ -78,8 +78,9 @@ pub unsafe extern "C" fn emb_mesh_triangle_count(mesh: *const emb_mesh) -> usize
     unsafe { ask(mesh, 0, |m| Some(m.triangle_count())) }
 }
 
-/// 1: the mesh as it stands has an inside, so that emb_geom_from_mesh gives it a sign; each of its edges has as many
-/// faces one way as the other. 0: it is open or disagrees with itself, and for NULL. O(1): known since the mesh was made.
+/// 1: the mesh as it stands has an inside without a doubt: each of its edges has as many faces one way as the other, so its
+/// winding number is a whole one everywhere. 0: it is open or disagrees with itself, and for NULL; emb_geom_from_mesh
+/// gives it a sign where its holes are small, or where it is told how. O(1): known since the mesh was made.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_mesh_has_inside(mesh: *const emb_mesh) -> i32 {
     // SAFETY: a handle or NULL, as the header asks.

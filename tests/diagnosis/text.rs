@@ -56,7 +56,7 @@ fn the_last_line_says_what_to_do() {
         (
             sphere.without(|t| t == 3 || t == 40),
             "to do: 2 holes, the largest of 3 edges: repair with EMB_REPAIR_HOLES (hole_length says how long a rim) or \
-             ask for the unsigned distance (EMB_SIGN_NONE)",
+             ask for the sign by the winding number (EMB_SIGN_WINDING) or the unsigned distance (EMB_SIGN_NONE)",
         ),
         (
             bodies::overlapping_spheres(1),
@@ -68,7 +68,7 @@ fn the_last_line_says_what_to_do() {
         ),
         (
             bodies::book(3),
-            "to do: 7 edges do not have as many faces one way as the other: no inside; ask for the unsigned distance \
+            "to do: 7 edges do not have as many faces one way as the other: no inside; ask for the sign by the winding number (EMB_SIGN_WINDING) or the unsigned distance \
              (EMB_SIGN_NONE)",
         ),
         (sphere.duplicated(), "to do: 80 faces repeat others: a signed distance takes one of each"),
@@ -116,7 +116,7 @@ fn a_rim_beyond_the_limits_of_repair_is_told_with_what_fills_it() {
     assert_eq!(
         last_line(&open),
         "to do: 1 hole of 4 edges: repair with EMB_REPAIR_HOLES and hole_length 2.31 (1 rim is longer than the 0.5 \
-         component diagonals of the default; if not meant open) or ask for the unsigned distance (EMB_SIGN_NONE)"
+         component diagonals of the default; if not meant open) or ask for the sign by the winding number (EMB_SIGN_WINDING) or the unsigned distance (EMB_SIGN_NONE)"
     );
     let filled =
         |hole_length| open.mesh().repaired(&RepairOptions { hole_length, ..RepairOptions::default() }).unwrap();

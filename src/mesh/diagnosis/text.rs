@@ -231,7 +231,8 @@ impl Diagnosis {
 
     /// Where the surface has no inside: loops can be filled, other edges without a partner cannot.
     fn advice_for_open(&self) -> String {
-        let unsigned = "ask for the unsigned distance (EMB_SIGN_NONE)";
+        let unsigned =
+            "ask for the sign by the winding number (EMB_SIGN_WINDING) or the unsigned distance (EMB_SIGN_NONE)";
         if let Some((tolerance, joined)) = self.weldable {
             let boundary = count(self.report.boundary_edges, "boundary edge");
             return format!(
