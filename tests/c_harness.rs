@@ -157,6 +157,11 @@ fn vertices_of_meshes_move() {
 }
 
 #[test]
+fn open_meshes_have_the_same_signs_however_they_are_asked_for() {
+    same_hashes("signs");
+}
+
+#[test]
 fn geometries_are_packed_into_the_same_bytes_and_come_back() {
     same_hashes("pack");
 }

@@ -242,8 +242,6 @@ static const misuse table[] = {
     UNKNOWN(from_mesh, sdf_options_value.value.open, "options.open"),
     UNKNOWN(from_mesh, sdf_options_value.value.axis, "options.axis"),
     UNKNOWN(from_mesh, sdf_options_value.value.accelerator, "options.accelerator"),
-    INTEGER(from_mesh, sdf_options_value.value.sign, EMB_SIGN_WINDING, EMB_ERROR_UNSUPPORTED, "options.sign"),
-    INTEGER(from_mesh, sdf_options_value.value.sign, EMB_SIGN_AXIS, EMB_ERROR_UNSUPPORTED, "options.sign"),
     INTEGER(from_mesh, sdf_options_value.value.open, EMB_OPEN_CAP, EMB_ERROR_UNSUPPORTED, "options.open"),
     INTEGER(from_mesh, sdf_options_value.value.open, EMB_OPEN_SWEEP, EMB_ERROR_UNSUPPORTED, "options.open"),
     NULLED(geom_bounds, g, "g"),

@@ -134,6 +134,13 @@ TEST(an_open_mesh_has_no_sign_but_a_distance) {
     embound::SdfOptions unsigned_distance;
     unsigned_distance.sign = embound::Sign::None;
     CHECK(embound::from_mesh(mesh, unsigned_distance)(0.5, 0.5, 0.25) == 0.25);
+    embound::SdfOptions winding;
+    winding.sign = embound::Sign::Winding;
+    const embound::Geometry g = embound::from_mesh(mesh, winding);
+    CHECK(g(0.5, 0.5, 0.25) == -0.25 && g(0.5, 0.5, 1.25) > 0.0);
+    CHECK(g.properties().sign_method == embound::Sign::Winding && std::isinf(g.properties().lipschitz));
+    CHECK(g.sign_text() == "WINDING, as asked: there are 3 boundary edges in 1 loops");
+    CHECK(embound::sphere({0, 0, 0}, 1.0).sign_text().empty());
     const std::vector<std::uint32_t> wild{0, 1, 99};
     CHECK(check::status_of([&] { embound::Mesh::from_triangles(corners, wild); }, "99") == EMB_ERROR_INVALID_ARGUMENT);
 }

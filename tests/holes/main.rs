@@ -6,6 +6,8 @@ mod common;
 
 mod automatic;
 mod bodies;
+mod broken;
+mod moved;
 mod rays;
 mod terrain;
 mod winding;

@@ -45,6 +45,9 @@ pub fn meshes() -> Vec<(&'static str, Geometry)> {
         ("doubts", of(&bodies::overlapping_spheres(2), SignMethod::Auto)),
         ("flat triangles", of(&bodies::with_flat_triangles(&bodies::unit_cube()), SignMethod::Auto)),
         ("a soup", of(&bodies::lattice_soup(200), SignMethod::None)),
+        ("holes", of(&bodies::icosphere(2).without(|t| t % 40 == 3), SignMethod::Auto)),
+        ("open, by rays", of(&bodies::icosphere(1).without(|t| t < 20), SignMethod::Ray)),
+        ("terrain", of(&bodies::sheet(4), SignMethod::Axis)),
         ("refit beside what it was", Geometry::union(&[ball, refit]).expect("a union")),
     ]
 }

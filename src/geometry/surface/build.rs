@@ -43,7 +43,8 @@ impl Surface {
                     let center = Aabb::of(vertices.iter().copied()).center();
                     let volume = mesh::volume(vertices, pieces, center) + caps.volume(center);
                     // Of a sheet and its caps there may be none but for rounding.
-                    volume < -NO_VOLUME * mesh.bounds().diagonal().powi(3)
+                    let diagonal = mesh.bounds().diagonal();
+                    volume < -NO_VOLUME * diagonal * diagonal * diagonal
                 }
             },
             Sign::Unsigned | Sign::Votes | Sign::Axis(_) => false,
