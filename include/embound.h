@@ -204,22 +204,31 @@
 // One mesh for what edges connect, by the lowest face of each.
 #define EMB_SPLIT_COMPONENT 1
 
-// Pseudonormals where the surface meets itself in shared edges and vertices only and has the outside on its outer
-// side, crossings near the faces where it does not, and everywhere where those are many or edges have more than two
+// Of a closed surface: pseudonormals where it meets itself in shared edges and vertices only and has the outside on its
+// outer side, crossings near the faces where it does not, and everywhere where those are many or edges have more than two
 // faces. emb_geom_properties.sign_method is EMB_SIGN_PSEUDONORMAL where pseudonormals decide everywhere, else
-// EMB_SIGN_RAY.
+// EMB_SIGN_RAY. Of a surface with small holes: EMB_SIGN_WINDING. A hole is small where, across it, it is less than a third
+// of the mesh and a cap over it less than 1/40 of the mesh's area; with a larger one the mesh is EMB_ERROR_TOPOLOGY, with a
+// message that names the loops. emb_geom_sign_text says what was chosen and why.
 #define EMB_SIGN_AUTO 0
 
 // Angle-weighted pseudonormals (Baerentzen & Aanaes 2005), for clean closed meshes.
 #define EMB_SIGN_PSEUDONORMAL 1
 
-// Generalised winding number. Not in this version: EMB_ERROR_UNSUPPORTED.
+// Inside is where the generalised winding number (Jacobson et al. 2013) is at least 1/2, for any mesh: bodies through each
+// other are their union, holes are closed by the surface on which the number is 1/2 (of a plane rim, the plane). From
+// exact crossings and, near holes, solid angles, by clusters (Barill et al. 2018) as far as these decide and exact beyond.
+// The sign may change across a hole while the value jumps from -d to d; it is that of every question. Beyond the bounds
+// of the mesh is outside. Of a closed mesh the same as EMB_SIGN_RAY, at the cost of EMB_SIGN_AUTO.
 #define EMB_SIGN_WINDING 2
 
-// Exact crossings of a ray, for closed meshes that intersect themselves.
+// Exact crossings of a ray, for closed meshes that intersect themselves. Of an open mesh, six rays along the axes: inside is
+// where at least four of them say so, within the bounds of the mesh.
 #define EMB_SIGN_RAY 3
 
-// Solid behind the first hit along an axis (terrain sheets). Not in this version: EMB_ERROR_UNSUPPORTED.
+// Terrain: inside is below the highest face, seen down emb_sdf_options.axis (2: z falls), whichever way faces run and
+// without end; beside the sheet is outside. Of a ceiling take emb_geom_reflect. Below its rim the sign changes while the
+// value jumps. Lattices are not scanned: signs and crossings of them take longer than of a closed mesh.
 #define EMB_SIGN_AXIS 4
 
 // Unsigned: never inside (baffles, sheets, triangle soup).
@@ -630,7 +639,8 @@ typedef struct emb_geom_properties {
   // How the sign of the mesh is decided, EMB_SIGN_*; EMB_SIGN_AUTO where there is no mesh, or several
   // with different methods.
   int32_t sign_method;
-  // |f(p) - f(q)| <= lipschitz * |p - q|; INFINITY where unknown.
+  // |f(p) - f(q)| <= lipschitz * |p - q|; INFINITY where unknown, and where the sign may change across a hole of a
+  // mesh.
   double lipschitz;
   // Triangles and shapes, a shared part as often as it is used.
   uint64_t primitives;
@@ -1023,8 +1033,9 @@ size_t emb_mesh_face_count(const emb_mesh *mesh);
 // Triangles that the faces as they stand are cut into; 0 for NULL. O(1).
 size_t emb_mesh_triangle_count(const emb_mesh *mesh);
 
-// 1: the mesh as it stands has an inside, so that emb_geom_from_mesh gives it a sign; each of its edges has as many
-// faces one way as the other. 0: it is open or disagrees with itself, and for NULL. O(1): known since the mesh was made.
+// 1: the mesh as it stands has an inside without a doubt: each of its edges has as many faces one way as the other, so its
+// winding number is a whole one everywhere. 0: it is open or disagrees with itself, and for NULL; emb_geom_from_mesh
+// gives it a sign where its holes are small, or where it is told how. O(1): known since the mesh was made.
 int32_t emb_mesh_has_inside(const emb_mesh *mesh);
 
 // 1: orientation turned the input face over when the mesh was made. Its corners then stand the other way round in
@@ -1481,17 +1492,24 @@ emb_status emb_diagnosis_loop_vertices(const emb_diagnosis *diagnosis,
 emb_status emb_sdf_options_init(emb_sdf_options *options, size_t size);
 
 // The signed distance to a mesh: exact, the same bits with every accelerator, pool and instruction set. The
-// sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they are right everywhere, and
-// of exact crossings elsewhere. The distance is that to the nearest face, whichever: where a mesh passes through itself
+// sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they are right everywhere, of
+// exact crossings elsewhere, and across small holes that of the winding number (EMB_SIGN_*). The distance is that to the nearest face, whichever: where a mesh passes through itself
 // also to one within the body, though its kind is EMB_EXACT. `options` may be NULL. The mesh may be freed afterwards.
 // On success *out_geom is the caller's, to be freed with emb_geom_free.
-// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (an open or inconsistent mesh,
-// of which emb_mesh_has_inside says 0, with the counts; EMB_SIGN_NONE takes any), EMB_ERROR_UNSUPPORTED (a choice of a
-// later version), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (EMB_SIGN_AUTO on a mesh whose holes
+// are large, with the loops and the counts; EMB_SIGN_PSEUDONORMAL on one that is open, has edges of more than two faces or
+// meets itself), EMB_ERROR_UNSUPPORTED (a choice of a later version), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
 emb_status emb_geom_from_mesh(const emb_mesh *mesh,
                               const emb_sdf_options *options,
                               const emb_run *run,
                               emb_geom **out_geom);
+
+// How the sign of a geometry's meshes is decided, and why: a line each, separated by line feeds, none where there is no
+// mesh; a shared mesh is told of once. For people: the words may change, emb_geom_properties.sign_method does not.
+// capacity 0: only out_size is written, which counts the zero byte at the end; else out_text holds `capacity` bytes, at
+// least that many. Any thread. Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a capacity too small),
+// EMB_ERROR_MEMORY.
+emb_status emb_geom_sign_text(const emb_geom *g, size_t capacity, char *out_text, size_t *out_size);
 
 // The same body, labelled: closest points, crossings and intercepts on it report `part`. Of nested labels the
 // innermost wins. `part` is at least 0, or -1 for none. O(1), shares g.
