@@ -2155,6 +2155,39 @@ emb_status emb_geom_ray_hits(const emb_geom *g,
                              const emb_run *run,
                              const emb_ray_out *out);
 
+// The input faces of a mesh, ascending, that have a point in common with the closed box from lo to hi: exactly,
+// touching included. Infinite corners are legal, and lo = hi. A face that is cut into triangles is told of once,
+// of faces that repeat each other the lowest, and one that the mesh left out for its lack of corners never.
+// g is one mesh, or one that is moved, placed, scaled, labelled or complemented; where it is moved, its corners
+// are where that brings them, rounded once a step. Refused: a union, an intersection or a difference of more than
+// one mesh, whose faces have the same numbers, and everything in which there is something else than a mesh, or
+// that changes its shape.
+// Coordinates and their products must be within 1e-90 and 1e90 for exactness.
+// capacity 0: only out_count is written; else out_faces holds `capacity` elements, at least as many as there are
+// faces.
+// Cost: grows with the faces near the box; of a mesh that is turned, with those near the turned box. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (NaN, lo > hi, a capacity too small),
+// EMB_ERROR_UNSUPPORTED (not one mesh), EMB_ERROR_MEMORY.
+emb_status emb_geom_overlapping(const emb_geom *g,
+                                const double lo[3],
+                                const double hi[3],
+                                size_t capacity,
+                                int64_t *out_faces,
+                                size_t *out_count);
+
+// The input faces of a mesh, ascending, whose distance from a point is at most `radius` (>= 0, INFINITY: all): the
+// distance to each face as emb_geom_closest computes it, so that the face it names is among them where radius is
+// the magnitude of its value. g, what is refused, capacity, out_faces, out_count, cost and threads as for
+// emb_geom_overlapping.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a point that is not finite, a radius that is NaN or
+// negative, a capacity too small), EMB_ERROR_UNSUPPORTED (not one mesh), EMB_ERROR_MEMORY.
+emb_status emb_geom_within(const emb_geom *g,
+                           const double point[3],
+                           double radius,
+                           size_t capacity,
+                           int64_t *out_faces,
+                           size_t *out_count);
+
 // A box around a body, found by subdividing a start box as an octree: for functions that do not know their bounds
 // (emb_geom_bounds costs nothing where they are known). The start box is halved `depth` times (1 to 16) along each
 // axis; what may hold a part of the body is kept, and the result is widened by `safety` >= 0 widths of the finest
