@@ -7,6 +7,7 @@ use super::node::Node;
 use super::placement::Placement;
 use super::segment::NO_PART;
 use super::surface::{Met, Surface};
+use crate::bvh::Ahead;
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Vec3, positive_zero};
 use crate::primitive::ray::Ray;
@@ -100,7 +101,7 @@ pub(crate) struct Targets<'a>(Vec<Target<'a>>);
 /// What a search of rays needs again and again.
 #[derive(Default)]
 pub(crate) struct RayScratch {
-    waiting: Vec<(f64, u32)>,
+    ahead: Ahead,
     found: Vec<Found>,
 }
 
@@ -170,7 +171,7 @@ impl<'a> Targets<'a> {
             let own = target.ray(ray)?;
             let limit =
                 |best: &Option<Found>| best.as_ref().map_or(own.to, |b| own.scaled(ray.scaled(b.t)).min(own.to));
-            target.surface.along_ray(&own, limit(&best), &mut scratch.waiting, |met| {
+            target.surface.along_ray(&own, limit(&best), &mut scratch.ahead, |met| {
                 let found = target.found(k, ray, &own, met);
                 if best.as_ref().is_none_or(|b| found.order(b).is_lt()) {
                     best = Some(found);
@@ -187,12 +188,12 @@ impl<'a> Targets<'a> {
         ray: &Ray,
         scratch: &'s mut RayScratch,
     ) -> Result<impl ExactSizeIterator<Item = RayHit> + 's> {
-        let RayScratch { waiting, found } = scratch;
+        let RayScratch { ahead, found } = scratch;
         found.clear();
         let mut is_full = false;
         for (k, target) in self.0.iter().enumerate() {
             let own = target.ray(ray)?;
-            target.surface.along_ray(&own, own.to, waiting, |met| {
+            target.surface.along_ray(&own, own.to, ahead, |met| {
                 is_full |= found.try_reserve(1).is_err();
                 if !is_full {
                     found.push(target.found(k, ray, &own, met));
