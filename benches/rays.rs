@@ -92,13 +92,15 @@ fn parity(meshes: &[(String, Mesh)], count: usize) -> Outcome<()> {
             continue;
         }
         let (soup, g, mut random) = (standing(mesh), geometry(mesh)?, Random(7));
+        let bounds = soup.bounds();
         for is_aimed in [false, true] {
             let (mut asked_about, mut hits, mut odd, mut turned, mut spent) = (0, 0, 0, 0, 0.0);
             while asked_about < count {
                 let mut asked = Asked::default();
                 while asked.count() < count.min(asked_about + 100_000) - asked_about {
-                    let (a, b) = (outside(&mut random, &soup), outside(&mut random, &soup));
-                    let (origin, direction) = if is_aimed { aimed(&mut random, &soup) } else { (a, minus(b, a)) };
+                    let (a, b) = (outside(&mut random, bounds), outside(&mut random, bounds));
+                    let (origin, direction) =
+                        if is_aimed { aimed(&mut random, &soup, bounds) } else { (a, minus(b, a)) };
                     if direction != [0.0; 3] {
                         asked.push(origin, direction);
                     }
@@ -113,7 +115,7 @@ fn parity(meshes: &[(String, Mesh)], count: usize) -> Outcome<()> {
             }
             let kind = if is_aimed { "aimed at edges and corners" } else { "random" };
             println!(
-                "{name}, {} triangles: {asked_about} rays {kind}, {hits} hits, {odd} odd, {turned} that come in more or less often than they go out, {spent:.2} s",
+                "{name}, {} triangles: {asked_about} rays {kind}, {hits} hits, {odd} odd, {turned} unbalanced, {spent:.2} s",
                 soup.triangles.len()
             );
             wrong += odd + turned;

@@ -49,9 +49,9 @@ fn rays_from_outside_come_out_of_a_closed_mesh_as_often_as_they_go_in() {
             let body = body.scaled(scale);
             let (mesh, mut asked) = (body.mesh(), Asked::default());
             for _ in 0..4200 {
-                let (a, b) = (outside(&mut random, &body), outside(&mut random, &body));
+                let (a, b) = (outside(&mut random, body.bounds()), outside(&mut random, body.bounds()));
                 asked.push(a, minus(b, a));
-                let (origin, direction) = aimed(&mut random, &body);
+                let (origin, direction) = aimed(&mut random, &body, body.bounds());
                 if direction != [0.0; 3] {
                     asked.push(origin, direction);
                 }
@@ -84,9 +84,9 @@ fn a_hierarchy_finds_what_a_look_at_every_face_does() {
             };
             let mut asked = Asked::default();
             for k in 0..300 {
-                let (a, b) = (outside(&mut random, &body), feature(&mut random, &body));
+                let (a, b) = (outside(&mut random, body.bounds()), feature(&mut random, &body));
                 asked.push(a, minus(b, a));
-                let (origin, direction) = aimed(&mut random, &body);
+                let (origin, direction) = aimed(&mut random, &body, body.bounds());
                 // Some from far away, some from within.
                 let back = [0.0, 1e9, -60.0][k % 3] * scale / length(direction).max(1e-9 * scale);
                 if direction != [0.0; 3] {
@@ -147,7 +147,7 @@ fn a_hit_lies_on_its_face_and_says_what_it_is() {
     let mut random = Random(74);
     let mut asked = Asked::default();
     (0..2000).for_each(|_| {
-        let (a, b) = (outside(&mut random, &body), random.point([-0.5; 3], [0.5; 3]));
+        let (a, b) = (outside(&mut random, body.bounds()), random.point([-0.5; 3], [0.5; 3]));
         asked.push(a, minus(b, a));
     });
     for (i, hit) in asked.first(&g, &Run::SERIAL).iter().enumerate() {
@@ -235,7 +235,7 @@ fn threads_change_nothing() {
     let body = bodies::torus(0.8, 0.3, 24, 12);
     let (g, mut random, mut asked) = (solid(&body), Random(75), Asked::default());
     for _ in 0..2000 {
-        let (origin, direction) = aimed(&mut random, &body);
+        let (origin, direction) = aimed(&mut random, &body, body.bounds());
         if direction != [0.0; 3] {
             asked.push(origin, direction);
         }
@@ -245,6 +245,60 @@ fn threads_change_nothing() {
     assert!(asked.first(&g, &Run::SERIAL).iter().map(bits).eq(asked.first(&g, &run).iter().map(bits)));
     let (one, three) = (asked.all(&g, &Run::SERIAL), asked.all(&g, &run));
     assert!(one.iter().flatten().map(bits).eq(three.iter().flatten().map(bits)));
+}
+
+/// A number of all the bits of all answers about many rays.
+fn hash_of_answers() -> u64 {
+    let mut hash = 0xcbf2_9ce4_8422_2325u64;
+    let mut add = |hit: &RayHit| {
+        let (numbers, primitive, rest) = bits(hit);
+        for word in numbers.into_iter().chain([primitive as u64]).chain(rest.map(|n| n as u64)) {
+            hash = (hash ^ word).wrapping_mul(0x100_0000_01b3);
+        }
+    };
+    let mut random = Random(76);
+    for body in [bodies::icosphere(3), bodies::torus(0.8, 0.3, 48, 24), bodies::bracket()] {
+        let mut asked = Asked::default();
+        for _ in 0..2000 {
+            let (a, b) = (outside(&mut random, body.bounds()), outside(&mut random, body.bounds()));
+            asked.push(a, minus(b, a));
+            let (origin, direction) = aimed(&mut random, &body, body.bounds());
+            if direction != [0.0; 3] {
+                asked.push(origin, direction);
+            }
+        }
+        for accelerator in [Accelerator::Auto, Accelerator::Compact] {
+            let g = geometry(&body.mesh(), accelerator);
+            asked.first(&g, &Run::SERIAL).iter().for_each(&mut add);
+            asked.all(&g, &Run::SERIAL).iter().flatten().for_each(&mut add);
+        }
+    }
+    hash
+}
+
+/// Set in the process that is to print its hash alone.
+const ALONE: &str = "EMBOUND_TEST_RAYS_HASH";
+
+#[test]
+fn the_instruction_set_changes_nothing() {
+    if std::env::var_os(ALONE).is_some() {
+        println!("hash {} {:x}", embound::isa(), hash_of_answers());
+        return;
+    }
+    // A process has one instruction set.
+    let mut hashes = Vec::new();
+    for cap in ["scalar", "avx2", "avx512"] {
+        let program = std::env::current_exe().unwrap();
+        let mut command = std::process::Command::new(program);
+        command.args(["--exact", "the_instruction_set_changes_nothing", "--nocapture"]);
+        let output = command.env("EMBOUND_ISA", cap).env(ALONE, "1").output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout);
+        let at = text.find("hash ").unwrap_or_else(|| panic!("{text}"));
+        let words: Vec<String> = text[at..].split_whitespace().skip(1).take(2).map(str::to_owned).collect();
+        hashes.push((words[0].clone(), words[1].clone()));
+    }
+    assert!(hashes[0].0 == "scalar" || hashes[0].0 == "neon");
+    assert!(hashes.iter().all(|(_, hash)| *hash == hashes[0].1), "{hashes:?}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! The leaves along a ray, the nearest first. Its line is counted from where it is nearest to the middle of the tree, so
-//! that f32 does with room for its rounding; where the ray begins so far away that this place is not known well enough, in
-//! f64.
+//! The leaves along a ray, the nearest first. Its line is counted from where it is nearest to the middle of the tree,
+//! so that f32 does with room for its rounding; where the ray begins so far away that this place is not known well
+//! enough, in f64.
 
 use super::nearest::LEVELS;
 use super::{LEAF, Node, Tree};
@@ -22,9 +22,9 @@ const FAR: f64 = 1e6;
 /// A rounding of f32.
 const ROUNDING: f32 = f32::EPSILON / 2.0;
 
-/// What boxes are widened by, and places along the line: coordinates of the line's middle are below 2, so that its rounding
-/// and that of what it is widened by are 4 of f32 at most; where it comes into a box is off by 3, relative, that is
-/// by 12 where anything can be.
+/// What boxes are widened by, and places along the line: coordinates of the line's middle are below 2, so that its
+/// rounding and that of what it is widened by are 4 of f32 at most; where it comes into a box is off by 3, relative, that
+/// is by 12 where anything can be.
 const WIDENED: f32 = 32.0 * ROUNDING;
 
 /// Nothing of the tree is farther along the line from its middle.

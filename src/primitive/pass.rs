@@ -3,10 +3,10 @@
 //! (`estimate.rs`): on which side of each edge it passes, where that is certain.
 //!
 //! The error, in roundings of f32, for a line of unit direction whose middle and a triangle's corners are within the
-//! root of 3 of the origin, so that one is within 3.5 of the other, b the longest edge: 7 for the way from the corner to the
-//! middle, 21 when that is turned into the frame, 5 for the direction there; 61 for x and y where the line meets the plane,
-//! times z of the direction. That is what the side of the longest edge is off by. Of the others, times b: 86 for
-//! these x and y, 64 for the products, 30 for a triangle so thin that its frame lies any way round its longest edge.
+//! root of 3 of the origin, so that one is within 3.5 of the other, b the longest edge: 7 for the way from the corner to
+//! the middle, 21 when that is turned into the frame, 5 for the direction there; 61 for x and y where the line meets the
+//! plane, times z of the direction. That is what the side of the longest edge is off by. Of the others, times b: 86
+//! for these x and y, 64 for the products, 30 for a triangle so thin that its frame lies any way round its longest edge.
 
 use super::estimate::Estimates;
 use crate::simd::float8::{Float8, Simd};

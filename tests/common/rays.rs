@@ -72,9 +72,8 @@ pub fn bits(hit: &RayHit) -> ([u64; 4], i64, [i32; 3]) {
     ([hit.t, n.x, n.y, n.z].map(f64::to_bits), hit.primitive, [hit.tag, hit.part, hit.side])
 }
 
-/// A point outside a body, from which rays may begin.
-pub fn outside(random: &mut Random, soup: &Soup) -> [f64; 3] {
-    let (lo, hi) = soup.bounds();
+/// A point outside a body's bounds, from which rays may begin.
+pub fn outside(random: &mut Random, (lo, hi): ([f64; 3], [f64; 3])) -> [f64; 3] {
     let size = (0..3).map(|k| hi[k] - lo[k]).fold(0.0, f64::max);
     loop {
         let p = random.point(lo.map(|c| c - size), hi.map(|c| c + size));
@@ -96,14 +95,13 @@ pub fn feature(random: &mut Random, soup: &Soup) -> [f64; 3] {
     [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * along)
 }
 
-/// A ray from outside that is aimed at a feature, sometimes along an axis, along an edge, or exactly through two corners.
-pub fn aimed(random: &mut Random, soup: &Soup) -> ([f64; 3], [f64; 3]) {
-    let (lo, hi) = soup.bounds();
+/// A ray from outside that is aimed at a feature, sometimes along an axis, along an edge, or through two corners.
+pub fn aimed(random: &mut Random, soup: &Soup, (lo, hi): ([f64; 3], [f64; 3])) -> ([f64; 3], [f64; 3]) {
     let size = (0..3).map(|k| hi[k] - lo[k]).fold(0.0, f64::max);
     let target = feature(random, soup);
     match random.below(4) {
         0 => {
-            let origin = outside(random, soup);
+            let origin = outside(random, (lo, hi));
             (origin, minus(target, origin))
         }
         1 => {

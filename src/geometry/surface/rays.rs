@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Where a ray meets the surface. A hierarchy's leaves are looked at in f32, eight triangles at once
-//! (`primitive/pass.rs`); whether the ray meets one of those that are left is decided exactly, and so is what is told of it.
+//! (`primitive/pass.rs`); whether the ray meets one of those that are left is decided exactly, and so is where.
 
 use super::{NO_TRIANGLE, Surface};
 use crate::bvh::{Ahead, LeafOnLine, Line, Seen, Tree};
