@@ -182,6 +182,19 @@ impl<'a> Targets<'a> {
         Ok(best.map_or(RayHit::NONE, |found| self.0[found.target].hit(&found)))
     }
 
+    /// How many meetings there are.
+    pub(crate) fn count(&self, ray: &Ray, scratch: &mut RayScratch) -> Result<usize> {
+        let mut count = 0;
+        for target in &self.0 {
+            let own = target.ray(ray)?;
+            target.surface.along_ray(&own, own.to, &mut scratch.ahead, |_| {
+                count += 1;
+                own.to
+            })?;
+        }
+        Ok(count)
+    }
+
     /// Every meeting, in order.
     pub(crate) fn all<'s>(
         &'s self,
@@ -225,7 +238,7 @@ impl Target<'_> {
     }
 
     fn found(&self, target: usize, ray: &Ray, own: &Ray, met: Met) -> Found {
-        let t = positive_zero(ray.unscaled(own.unscaled(met.t)));
+        let t = positive_zero(ray.unscaled(own.unscaled(self.surface.place_on(own, met))));
         Found { t, face: self.surface.face(met.triangle), target, met }
     }
 

@@ -14,8 +14,6 @@ use crate::simd::{Kernel, dispatch, prefetch};
 /// One meeting of a ray with a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Met {
-    /// As the ray scales it.
-    pub(crate) t: f64,
     pub(crate) triangle: u32,
     /// Whether the ray passes towards the outer side of the triangle.
     pub(crate) leaves: bool,
@@ -36,7 +34,7 @@ impl<F: FnMut(Met) -> f64> Way<'_, F> {
         let corners = self.surface.corners(triangle);
         let turn = self.ray.meets(corners);
         if turn != 0 {
-            self.limit = (self.offer)(Met { t: self.ray.place(corners), triangle, leaves: turn > 0 });
+            self.limit = (self.offer)(Met { triangle, leaves: turn > 0 });
         }
     }
 }
@@ -105,6 +103,11 @@ impl Surface {
             })?,
         }
         Ok(())
+    }
+
+    /// Where a ray meets a triangle that it does meet, as the ray scales it.
+    pub(crate) fn place_on(&self, ray: &Ray, met: Met) -> f64 {
+        ray.place(self.corners(met.triangle))
     }
 
     /// Outward unit normal of a triangle; zero where its area is.
