@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Rays on one thread: what the first face and all faces along one cost, beside Embree where it is installed (Debian's
-//! libembree-dev), which is asked about the same rays in the same run and whose answers are held against embound's:
+//! Rays on one thread: what the first face, and counting all faces, along one cost, beside Embree where it is installed
+//! (Debian's libembree-dev), which is asked about the same rays in the same run and whose answers are held against
+//! embound's:
 //!
 //!     cargo bench --bench rays -- [--count N] [mesh ...]     (spheres of 20,480 and 327,680 triangles by default)
 //!
@@ -193,7 +194,7 @@ fn throughput(meshes: &[(String, Mesh)], count: usize) -> Outcome<()> {
             }
             let met = found.iter().filter(|h| h.side != 0).count();
             print!(
-                "{name}, {} triangles, {kind}: {} rays, {met} hit; first {first:.0}, all {all:.0}",
+                "{name}, {} triangles, {kind}: {} rays, {met} hit; first {first:.0}, counting all {all:.0}",
                 soup.triangles.len(),
                 asked.count()
             );
