@@ -861,8 +861,8 @@ typedef struct emb_hit_out {
   int32_t *tag;
 } emb_hit_out;
 
-// What emb_geom_rays writes, item i of each array for ray i, and emb_geom_ray_hits, item i for hit i. Every array may be
-// NULL: not wanted. Vectors as in emb_closest_out. The arrays must not overlap.
+// What emb_geom_rays writes, item i of each array for ray i, and emb_geom_ray_hits, item i for hit i. Every array may
+// be NULL: not wanted. Vectors as in emb_closest_out. The arrays must not overlap.
 typedef struct emb_ray_out {
   // sizeof(emb_ray_out)
   size_t struct_size;
@@ -2118,21 +2118,22 @@ emb_status emb_geom_classify_boxes(const emb_geom *g,
                                    int32_t *out_class);
 
 // The first face that each of `count` rays meets: the points origin[3i..3i+2] + t * direction[3i..3i+2] with
-// t_min <= t <= t_max. t_min and t_max hold one number for all rays where t_stride is 0, one a ray where it is 1; NULL:
-// 0 and INFINITY. A segment from a to b is the ray with direction b - a and t from 0 to 1; t_min = -INFINITY makes a ray a
-// line. Directions need not be of unit length. Of equal t the lowest face is told of.
-// g is a mesh, or meshes moved, placed, labelled, complemented, in unions, intersections and differences; every face of
-// every one of them is met, those within another body too (emb_geom_intercepts tells where the solid ends). In a
+// t_min <= t <= t_max. t_min and t_max hold one number for all rays where t_stride is 0, one a ray where it is 1;
+// NULL: 0 and INFINITY. A segment from a to b is the ray with direction b - a and t from 0 to 1; t_min = -INFINITY
+// makes a ray a line. Directions need not be of unit length. Of equal t the lowest face is told of.
+// g is a mesh, or meshes moved, placed, labelled, complemented, in unions, intersections and differences; every face
+// of every one of them is met, those within another body too (emb_geom_intercepts tells where the solid ends). In a
 // complement, and in what a difference takes away, normals and sides are turned over.
 // Watertight: whether a ray meets a face is decided exactly, and a ray through an edge or a corner is moved by an
-// infinitesimal, the same for all faces of a mesh, so that it meets a closed mesh as often inwards as outwards; both ends
-// of its range belong to it exactly. In a body that is moved or placed, that holds of the ray as that body sees it,
-// rounded once. A face that the ray runs within is not met, nor is one without area.
-// Coordinates and their products must be within 1e-90 and 1e90 for exactness. Cost: grows with the faces along the ray and with the meshes of g.
+// infinitesimal, the same for all faces of a mesh, so that it meets a closed mesh as often inwards as outwards; both
+// ends of its range belong to it exactly. In a body that is moved or placed, that holds of the ray as that body sees
+// it, rounded once. A face that the ray runs within is not met, nor is one without area.
+// Coordinates and their products must be within 1e-90 and 1e90 for exactness. Cost: grows with the faces along the ray
+// and with the meshes of g.
 // Arrays may be NULL where count is 0. The results do not depend on threads, instruction set or accelerator.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (an origin or direction that is not finite, a direction
-// that is zero or subnormal, t_min > t_max or NaN, naming the ray), EMB_ERROR_UNSUPPORTED (g is made of something other
-// than meshes, which the message names), EMB_ERROR_CANCELLED, EMB_ERROR_MEMORY.
+// that is zero or subnormal, t_min > t_max or NaN, naming the ray), EMB_ERROR_UNSUPPORTED (g is made of something
+// other than meshes, which the message names), EMB_ERROR_CANCELLED, EMB_ERROR_MEMORY.
 emb_status emb_geom_rays(const emb_geom *g,
                          size_t count,
                          const double *origin,
@@ -2172,6 +2173,39 @@ emb_status emb_geom_ray_hits(const emb_geom *g,
                              const size_t *offsets,
                              const emb_run *run,
                              const emb_ray_out *out);
+
+// The input faces of a mesh, ascending, that have a point in common with the closed box from lo to hi: exactly,
+// touching included. Infinite corners are legal, and lo = hi. A face that is cut into triangles is told of once,
+// of faces that repeat each other the lowest, and one that the mesh left out for its lack of corners never.
+// g is one mesh, or one that is moved, placed, scaled, labelled or complemented; where it is moved, its corners
+// are where that brings them, rounded once a step. Refused: a union, an intersection or a difference of more than
+// one mesh, whose faces have the same numbers, and everything in which there is something else than a mesh, or
+// that changes its shape.
+// Coordinates and their products must be within 1e-90 and 1e90 for exactness.
+// capacity 0: only out_count is written; else out_faces holds `capacity` elements, at least as many as there are
+// faces.
+// Cost: grows with the faces near the box; of a mesh that is turned, with those near the turned box. Any thread.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (NaN, lo > hi, a capacity too small),
+// EMB_ERROR_UNSUPPORTED (not one mesh), EMB_ERROR_MEMORY.
+emb_status emb_geom_overlapping(const emb_geom *g,
+                                const double lo[3],
+                                const double hi[3],
+                                size_t capacity,
+                                int64_t *out_faces,
+                                size_t *out_count);
+
+// The input faces of a mesh, ascending, whose distance from a point is at most `radius` (>= 0, INFINITY: all): the
+// distance to each face as emb_geom_closest computes it, so that the face it names is among them where radius is
+// the magnitude of its value. g, what is refused, capacity, out_faces, out_count, cost and threads as for
+// emb_geom_overlapping.
+// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (a point that is not finite, a radius that is NaN or
+// negative, a capacity too small), EMB_ERROR_UNSUPPORTED (not one mesh), EMB_ERROR_MEMORY.
+emb_status emb_geom_within(const emb_geom *g,
+                           const double point[3],
+                           double radius,
+                           size_t capacity,
+                           int64_t *out_faces,
+                           size_t *out_count);
 
 // A box around a body, found by subdividing a start box as an octree: for functions that do not know their bounds
 // (emb_geom_bounds costs nothing where they are known). The start box is halved `depth` times (1 to 16) along each

@@ -13,7 +13,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The sources of the C ABI, in the header's order.
-const SOURCES: [&str; 29] = [
+const SOURCES: [&str; 30] = [
     "constants",
     "error",
     "callback",
@@ -41,6 +41,7 @@ const SOURCES: [&str; 29] = [
     "combine",
     "query",
     "rays",
+    "faces",
     "bounding",
     "lattice",
 ];

@@ -5,67 +5,13 @@
 mod common;
 
 use common::random::Random;
+use common::rays::{Asked, aimed, bits, feature, length, minus, outside};
 use common::{Soup, bodies};
 use embound::Status;
 use embound::geometry::{Accelerator, Geometry, SdfOptions, SignMethod};
 use embound::mesh::Mesh;
 use embound::parallel::{Pool, Run};
 use embound::query::{self, RayHit, Rays};
-use std::sync::Mutex;
-
-/// Rays to be asked.
-#[derive(Default)]
-struct Asked {
-    origin: Vec<f64>,
-    direction: Vec<f64>,
-    t_min: Vec<f64>,
-    t_max: Vec<f64>,
-}
-
-impl Asked {
-    fn push(&mut self, origin: [f64; 3], direction: [f64; 3]) {
-        self.origin.extend(origin);
-        self.direction.extend(direction);
-    }
-
-    fn of(origin: [f64; 3], direction: [f64; 3]) -> Asked {
-        Asked { origin: origin.to_vec(), direction: direction.to_vec(), ..Asked::default() }
-    }
-
-    fn within(self, t_min: f64, t_max: f64) -> Asked {
-        Asked { t_min: vec![t_min], t_max: vec![t_max], ..self }
-    }
-
-    fn rays(&self) -> Rays<'_> {
-        Rays::new(&self.origin, &self.direction, &self.t_min, &self.t_max).unwrap()
-    }
-
-    fn first(&self, g: &Geometry, run: &Run) -> Vec<RayHit> {
-        let out = Mutex::new(vec![RayHit::NONE; self.rays().count()]);
-        query::first_hits(g, &self.rays(), run, &|start, hits| {
-            out.lock().unwrap()[start..start + hits.len()].copy_from_slice(hits);
-        })
-        .unwrap();
-        out.into_inner().unwrap()
-    }
-
-    fn all(&self, g: &Geometry, run: &Run) -> Vec<Vec<RayHit>> {
-        let counts = Mutex::new(vec![0; self.rays().count()]);
-        query::count_hits(g, &self.rays(), run, &|start, found| {
-            counts.lock().unwrap()[start..start + found.len()].copy_from_slice(found);
-        })
-        .unwrap();
-        let mut offsets = vec![0];
-        counts.into_inner().unwrap().iter().for_each(|n| offsets.push(offsets[offsets.len() - 1] + n));
-        let out = Mutex::new(vec![RayHit::NONE; offsets[offsets.len() - 1]]);
-        query::all_hits(g, &self.rays(), &offsets, run, &|start, hits| {
-            out.lock().unwrap()[start..start + hits.len()].copy_from_slice(hits);
-        })
-        .unwrap();
-        let all = out.into_inner().unwrap();
-        offsets.windows(2).map(|w| all[w[0]..w[1]].to_vec()).collect()
-    }
-}
 
 fn geometry(mesh: &Mesh, accelerator: Accelerator) -> Geometry {
     let options = SdfOptions { accelerator, ..SdfOptions::default() };
@@ -81,12 +27,6 @@ fn baffle(soup: &Soup) -> Geometry {
     Geometry::from_mesh(&soup.mesh_kept(), &options, &Run::SERIAL).unwrap()
 }
 
-/// NaN compares as it should.
-fn bits(hit: &RayHit) -> ([u64; 4], i64, [i32; 3]) {
-    let n = hit.normal;
-    ([hit.t, n.x, n.y, n.z].map(f64::to_bits), hit.primitive, [hit.tag, hit.part, hit.side])
-}
-
 fn closed() -> Vec<Soup> {
     vec![
         bodies::icosphere(2),
@@ -100,70 +40,6 @@ fn closed() -> Vec<Soup> {
     ]
 }
 
-/// A point outside a body, from which rays may begin.
-fn outside(random: &mut Random, soup: &Soup) -> [f64; 3] {
-    let (lo, hi) = soup.bounds();
-    let size = (0..3).map(|k| hi[k] - lo[k]).fold(0.0, f64::max);
-    loop {
-        let p = random.point(lo.map(|c| c - size), hi.map(|c| c + size));
-        if (0..3).any(|k| p[k] < lo[k] || p[k] > hi[k]) {
-            return p;
-        }
-    }
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|k| a[k] - b[k])
-}
-
-/// Something of a body's that is easily missed or met twice: a corner, a point of an edge, the middle of one.
-fn feature(random: &mut Random, soup: &Soup) -> [f64; 3] {
-    let corners = soup.corners(random.below(soup.triangles.len()));
-    let (a, b) = (corners[random.below(3)], corners[random.below(3)]);
-    let along = [0.5, random.unit()][random.below(2)];
-    [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * along)
-}
-
-/// A ray from outside that is aimed at a feature, sometimes along an axis, along an edge, or exactly through two corners.
-fn aimed(random: &mut Random, soup: &Soup) -> ([f64; 3], [f64; 3]) {
-    let (lo, hi) = soup.bounds();
-    let size = (0..3).map(|k| hi[k] - lo[k]).fold(0.0, f64::max);
-    let target = feature(random, soup);
-    match random.below(4) {
-        0 => {
-            let origin = outside(random, soup);
-            (origin, minus(target, origin))
-        }
-        1 => {
-            let axis = random.below(3);
-            let mut origin = target;
-            origin[axis] = lo[axis] - size;
-            (origin, [0, 1, 2].map(|k| if k == axis { 0.7 } else { 0.0 }))
-        }
-        2 => {
-            let other = feature(random, soup);
-            let direction = minus(other, target);
-            // Far enough to be outside, on the line but for rounding.
-            ([0, 1, 2].map(|k| target[k] - 64.0 * size * direction[k] / length(direction).max(1e-9 * size)), direction)
-        }
-        _ => {
-            // A plane of the corner's, diagonally.
-            let axis = random.below(3);
-            let mut origin = target;
-            let mut direction = [0.0; 3];
-            for k in [axis, (axis + 1) % 3] {
-                origin[k] -= 8.0 * size;
-                direction[k] = 1.0;
-            }
-            (origin, direction)
-        }
-    }
-}
-
-fn length(v: [f64; 3]) -> f64 {
-    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
-}
-
 #[test]
 fn rays_from_outside_come_out_of_a_closed_mesh_as_often_as_they_go_in() {
     let mut random = Random(71);
@@ -173,9 +49,9 @@ fn rays_from_outside_come_out_of_a_closed_mesh_as_often_as_they_go_in() {
             let body = body.scaled(scale);
             let (mesh, mut asked) = (body.mesh(), Asked::default());
             for _ in 0..4200 {
-                let (a, b) = (outside(&mut random, &body), outside(&mut random, &body));
+                let (a, b) = (outside(&mut random, body.bounds()), outside(&mut random, body.bounds()));
                 asked.push(a, minus(b, a));
-                let (origin, direction) = aimed(&mut random, &body);
+                let (origin, direction) = aimed(&mut random, &body, body.bounds());
                 if direction != [0.0; 3] {
                     asked.push(origin, direction);
                 }
@@ -208,9 +84,9 @@ fn a_hierarchy_finds_what_a_look_at_every_face_does() {
             };
             let mut asked = Asked::default();
             for k in 0..300 {
-                let (a, b) = (outside(&mut random, &body), feature(&mut random, &body));
+                let (a, b) = (outside(&mut random, body.bounds()), feature(&mut random, &body));
                 asked.push(a, minus(b, a));
-                let (origin, direction) = aimed(&mut random, &body);
+                let (origin, direction) = aimed(&mut random, &body, body.bounds());
                 // Some from far away, some from within.
                 let back = [0.0, 1e9, -60.0][k % 3] * scale / length(direction).max(1e-9 * scale);
                 if direction != [0.0; 3] {
@@ -271,7 +147,7 @@ fn a_hit_lies_on_its_face_and_says_what_it_is() {
     let mut random = Random(74);
     let mut asked = Asked::default();
     (0..2000).for_each(|_| {
-        let (a, b) = (outside(&mut random, &body), random.point([-0.5; 3], [0.5; 3]));
+        let (a, b) = (outside(&mut random, body.bounds()), random.point([-0.5; 3], [0.5; 3]));
         asked.push(a, minus(b, a));
     });
     for (i, hit) in asked.first(&g, &Run::SERIAL).iter().enumerate() {
@@ -359,7 +235,7 @@ fn threads_change_nothing() {
     let body = bodies::torus(0.8, 0.3, 24, 12);
     let (g, mut random, mut asked) = (solid(&body), Random(75), Asked::default());
     for _ in 0..2000 {
-        let (origin, direction) = aimed(&mut random, &body);
+        let (origin, direction) = aimed(&mut random, &body, body.bounds());
         if direction != [0.0; 3] {
             asked.push(origin, direction);
         }
@@ -369,6 +245,60 @@ fn threads_change_nothing() {
     assert!(asked.first(&g, &Run::SERIAL).iter().map(bits).eq(asked.first(&g, &run).iter().map(bits)));
     let (one, three) = (asked.all(&g, &Run::SERIAL), asked.all(&g, &run));
     assert!(one.iter().flatten().map(bits).eq(three.iter().flatten().map(bits)));
+}
+
+/// A number of all the bits of all answers about many rays.
+fn hash_of_answers() -> u64 {
+    let mut hash = 0xcbf2_9ce4_8422_2325u64;
+    let mut add = |hit: &RayHit| {
+        let (numbers, primitive, rest) = bits(hit);
+        for word in numbers.into_iter().chain([primitive as u64]).chain(rest.map(|n| n as u64)) {
+            hash = (hash ^ word).wrapping_mul(0x100_0000_01b3);
+        }
+    };
+    let mut random = Random(76);
+    for body in [bodies::icosphere(3), bodies::torus(0.8, 0.3, 48, 24), bodies::bracket()] {
+        let mut asked = Asked::default();
+        for _ in 0..2000 {
+            let (a, b) = (outside(&mut random, body.bounds()), outside(&mut random, body.bounds()));
+            asked.push(a, minus(b, a));
+            let (origin, direction) = aimed(&mut random, &body, body.bounds());
+            if direction != [0.0; 3] {
+                asked.push(origin, direction);
+            }
+        }
+        for accelerator in [Accelerator::Auto, Accelerator::Compact] {
+            let g = geometry(&body.mesh(), accelerator);
+            asked.first(&g, &Run::SERIAL).iter().for_each(&mut add);
+            asked.all(&g, &Run::SERIAL).iter().flatten().for_each(&mut add);
+        }
+    }
+    hash
+}
+
+/// Set in the process that is to print its hash alone.
+const ALONE: &str = "EMBOUND_TEST_RAYS_HASH";
+
+#[test]
+fn the_instruction_set_changes_nothing() {
+    if std::env::var_os(ALONE).is_some() {
+        println!("hash {} {:x}", embound::isa(), hash_of_answers());
+        return;
+    }
+    // A process has one instruction set.
+    let mut hashes = Vec::new();
+    for cap in ["scalar", "avx2", "avx512"] {
+        let program = std::env::current_exe().unwrap();
+        let mut command = std::process::Command::new(program);
+        command.args(["--exact", "the_instruction_set_changes_nothing", "--nocapture"]);
+        let output = command.env("EMBOUND_ISA", cap).env(ALONE, "1").output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout);
+        let at = text.find("hash ").unwrap_or_else(|| panic!("{text}"));
+        let words: Vec<String> = text[at..].split_whitespace().skip(1).take(2).map(str::to_owned).collect();
+        hashes.push((words[0].clone(), words[1].clone()));
+    }
+    assert!(hashes[0].0 == "scalar" || hashes[0].0 == "neon");
+    assert!(hashes.iter().all(|(_, hash)| *hash == hashes[0].1), "{hashes:?}");
 }
 
 #[test]

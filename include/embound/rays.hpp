@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 /// @file
-/// Where rays meet the faces of meshes.
+/// Where rays meet the faces of meshes, and which faces are in a place.
 #ifndef EMBOUND_RAYS_HPP
 #define EMBOUND_RAYS_HPP
 
@@ -113,6 +113,24 @@ inline AllRayHits all_hits(const Geometry &g, const Rays &rays, const Run &run =
         return emb_geom_ray_hits(g.get(), n, origin, direction, &rays.t_min, &rays.t_max, 0, all.offsets.data(), r, &c);
     });
     return all;
+}
+
+/// The input faces of a mesh that have a point in common with a closed box, ascending; see emb_geom_overlapping.
+inline std::vector<std::int64_t> faces_overlapping(const Geometry &g, const Box &box) {
+    std::size_t count = 0;
+    check(emb_geom_overlapping(g.get(), box.lo.data(), box.hi.data(), 0, nullptr, &count));
+    std::vector<std::int64_t> faces = detail::vector_of<std::int64_t>(count);
+    check(emb_geom_overlapping(g.get(), box.lo.data(), box.hi.data(), count, faces.data(), &count));
+    return faces;
+}
+
+/// The input faces of a mesh at most `radius` away from a point, ascending; see emb_geom_within.
+inline std::vector<std::int64_t> faces_within(const Geometry &g, const Point &point, double radius) {
+    std::size_t count = 0;
+    check(emb_geom_within(g.get(), point.data(), radius, 0, nullptr, &count));
+    std::vector<std::int64_t> faces = detail::vector_of<std::int64_t>(count);
+    check(emb_geom_within(g.get(), point.data(), radius, count, faces.data(), &count));
+    return faces;
 }
 
 } // namespace embound

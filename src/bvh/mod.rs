@@ -16,6 +16,7 @@ mod witness;
 pub(crate) use nearest::{Along, Around, GROUP, LeafDistance, nearest, nearest_for_group};
 pub(crate) use pack::each_once;
 pub(crate) use pairs::{ALONE, Pairs, Scratch};
+pub(crate) use ray::{Ahead, LeafOnLine, Line, Seen};
 pub(crate) use witness::{Corners, LeafList};
 
 use crate::math::{Aabb, Vec3, f32_above, f32_below};

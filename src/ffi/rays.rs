@@ -4,18 +4,19 @@
 use super::arrays::{elements, slice};
 use super::error::{emb_status, guard};
 use super::geometry::emb_geom;
-use super::handle::{aligned, lend, null};
+use super::handle::lend;
 use super::results::{Vectors, optional, put};
 use super::run::{emb_run, with_run};
 use super::versioned::{self, Versioned};
 use super::writer::Writer;
 use crate::error::{Error, Result};
+use crate::geometry::Geometry;
 use crate::query::{self, RayHit, Rays};
 use std::mem::{offset_of, size_of};
 use std::ptr;
 
-/// What emb_geom_rays writes, item i of each array for ray i, and emb_geom_ray_hits, item i for hit i. Every array may be
-/// NULL: not wanted. Vectors as in emb_closest_out. The arrays must not overlap.
+/// What emb_geom_rays writes, item i of each array for ray i, and emb_geom_ray_hits, item i for hit i. Every array may
+/// be NULL: not wanted. Vectors as in emb_closest_out. The arrays must not overlap.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct emb_ray_out {
@@ -88,18 +89,21 @@ impl RayWriter {
     }
 }
 
-/// The rays that a caller describes.
+/// The geometry that a caller asks, and the rays.
 ///
 /// # Safety
-/// The arrays are NULL or hold what emb_geom_rays says, unwritten during `'a`.
-unsafe fn rays<'a>(
+/// `g` is NULL or alive during `'a`; the arrays are NULL or hold what emb_geom_rays says, unwritten during `'a`.
+unsafe fn asked<'a>(
+    g: *const emb_geom,
     count: usize,
     origin: *const f64,
     direction: *const f64,
     t_min: *const f64,
     t_max: *const f64,
     t_stride: usize,
-) -> Result<Rays<'a>> {
+) -> Result<(&'a Geometry, Rays<'a>)> {
+    // SAFETY: the caller's promise.
+    let g = unsafe { lend("g", g) }?;
     let length = elements::<f64>("count", count, 3)?;
     if t_stride > 1 {
         return Err(Error::invalid(format!("t_stride: {t_stride} is neither 0 nor 1")));
@@ -112,25 +116,26 @@ unsafe fn rays<'a>(
     };
     // SAFETY: the caller's promise.
     let (origin, direction) = unsafe { (slice("origin", origin, length)?, slice("direction", direction, length)?) };
-    Rays::new(origin, direction, range("t_min", t_min)?, range("t_max", t_max)?)
+    Ok((g, Rays::new(origin, direction, range("t_min", t_min)?, range("t_max", t_max)?)?))
 }
 
 /// The first face that each of `count` rays meets: the points origin[3i..3i+2] + t * direction[3i..3i+2] with
-/// t_min <= t <= t_max. t_min and t_max hold one number for all rays where t_stride is 0, one a ray where it is 1; NULL:
-/// 0 and INFINITY. A segment from a to b is the ray with direction b - a and t from 0 to 1; t_min = -INFINITY makes a ray a
-/// line. Directions need not be of unit length. Of equal t the lowest face is told of.
-/// g is a mesh, or meshes moved, placed, labelled, complemented, in unions, intersections and differences; every face of
-/// every one of them is met, those within another body too (emb_geom_intercepts tells where the solid ends). In a
+/// t_min <= t <= t_max. t_min and t_max hold one number for all rays where t_stride is 0, one a ray where it is 1;
+/// NULL: 0 and INFINITY. A segment from a to b is the ray with direction b - a and t from 0 to 1; t_min = -INFINITY
+/// makes a ray a line. Directions need not be of unit length. Of equal t the lowest face is told of.
+/// g is a mesh, or meshes moved, placed, labelled, complemented, in unions, intersections and differences; every face
+/// of every one of them is met, those within another body too (emb_geom_intercepts tells where the solid ends). In a
 /// complement, and in what a difference takes away, normals and sides are turned over.
 /// Watertight: whether a ray meets a face is decided exactly, and a ray through an edge or a corner is moved by an
-/// infinitesimal, the same for all faces of a mesh, so that it meets a closed mesh as often inwards as outwards; both ends
-/// of its range belong to it exactly. In a body that is moved or placed, that holds of the ray as that body sees it,
-/// rounded once. A face that the ray runs within is not met, nor is one without area.
-/// Coordinates and their products must be within 1e-90 and 1e90 for exactness. Cost: grows with the faces along the ray and with the meshes of g.
+/// infinitesimal, the same for all faces of a mesh, so that it meets a closed mesh as often inwards as outwards; both
+/// ends of its range belong to it exactly. In a body that is moved or placed, that holds of the ray as that body sees
+/// it, rounded once. A face that the ray runs within is not met, nor is one without area.
+/// Coordinates and their products must be within 1e-90 and 1e90 for exactness. Cost: grows with the faces along the ray
+/// and with the meshes of g.
 /// Arrays may be NULL where count is 0. The results do not depend on threads, instruction set or accelerator.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT (an origin or direction that is not finite, a direction
-/// that is zero or subnormal, t_min > t_max or NaN, naming the ray), EMB_ERROR_UNSUPPORTED (g is made of something other
-/// than meshes, which the message names), EMB_ERROR_CANCELLED, EMB_ERROR_MEMORY.
+/// that is zero or subnormal, t_min > t_max or NaN, naming the ray), EMB_ERROR_UNSUPPORTED (g is made of something
+/// other than meshes, which the message names), EMB_ERROR_CANCELLED, EMB_ERROR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_rays(
     g: *const emb_geom,
@@ -145,8 +150,7 @@ pub unsafe extern "C" fn emb_geom_rays(
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
     guard(|| unsafe {
-        let g = lend("g", g)?;
-        let rays = rays(count, origin, direction, t_min, t_max, t_stride)?;
+        let (g, rays) = asked(g, count, origin, direction, t_min, t_max, t_stride)?;
         let out = RayWriter::new(out, count)?;
         with_run(run, |run| query::first_hits(g, &rays, run, &|start, hits| out.put(start, hits)))
     })
@@ -170,13 +174,8 @@ pub unsafe extern "C" fn emb_geom_ray_counts(
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
     guard(|| unsafe {
-        let g = lend("g", g)?;
-        let rays = rays(count, origin, direction, t_min, t_max, t_stride)?;
+        let (g, rays) = asked(g, count, origin, direction, t_min, t_max, t_stride)?;
         let length = elements::<usize>("count", count.saturating_add(1), 1)?;
-        if out_offsets.is_null() {
-            return Err(null("out_offsets"));
-        }
-        aligned("out_offsets", out_offsets)?;
         let writer = Writer::required("out_offsets", out_offsets, length)?;
         with_run(run, |run| {
             query::count_hits(g, &rays, run, &|start, counts| writer.put([start + 1, 0, 0], counts.iter().copied()))
@@ -209,8 +208,7 @@ pub unsafe extern "C" fn emb_geom_ray_hits(
 ) -> emb_status {
     // SAFETY: pointers as the header asks.
     guard(|| unsafe {
-        let g = lend("g", g)?;
-        let rays = rays(count, origin, direction, t_min, t_max, t_stride)?;
+        let (g, rays) = asked(g, count, origin, direction, t_min, t_max, t_stride)?;
         let length = elements::<usize>("count", count.saturating_add(1), 1)?;
         let offsets = slice("offsets", offsets, length)?;
         let out = RayWriter::new(out, offsets[count])?;

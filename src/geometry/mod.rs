@@ -9,6 +9,7 @@ mod classify;
 mod closest;
 pub(crate) mod contacts;
 mod cut;
+mod faces;
 mod fingerprint;
 mod kinds;
 mod level;

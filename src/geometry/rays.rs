@@ -7,8 +7,9 @@ use super::node::Node;
 use super::placement::Placement;
 use super::segment::NO_PART;
 use super::surface::{Met, Surface};
+use crate::bvh::Ahead;
 use crate::error::{Error, Result};
-use crate::math::{Vec3, positive_zero};
+use crate::math::{Aabb, Vec3, positive_zero};
 use crate::primitive::ray::Ray;
 
 /// Meshes of one tree, those met again through shared nodes counted again.
@@ -38,15 +39,57 @@ impl RayHit {
 
 /// From the space of a tree to that of a part.
 #[derive(Clone, Copy)]
-enum Step {
+pub(super) enum Step {
     Shift(Vec3),
     Place(Placement),
 }
 
+impl Step {
+    pub(super) fn to_body(self, p: Vec3) -> Vec3 {
+        match self {
+            Step::Shift(shift) => p - shift,
+            Step::Place(placement) => placement.to_body(p),
+        }
+    }
+
+    pub(super) fn to_space(self, q: Vec3) -> Vec3 {
+        match self {
+            Step::Shift(shift) => q + shift,
+            Step::Place(placement) => placement.to_space(q),
+        }
+    }
+
+    fn placement(self) -> Placement {
+        match self {
+            Step::Shift(shift) => Placement::translation(shift),
+            Step::Place(placement) => placement,
+        }
+    }
+
+    /// A box with all that comes from a box.
+    pub(super) fn box_to_body(self, b: Aabb) -> Aabb {
+        self.placement().box_to_body(b)
+    }
+
+    pub(super) fn box_to_space(self, b: Aabb) -> Aabb {
+        self.placement().box_to_space(b)
+    }
+
+    /// What distances of the part are multiplied by.
+    pub(super) fn scale(self) -> f64 {
+        self.placement().scale()
+    }
+
+    /// The largest coordinate that it moves by, as the part sees it.
+    pub(super) fn offset(self) -> f64 {
+        self.placement().shift().abs().max_element() / self.scale()
+    }
+}
+
 /// A mesh of a tree.
-struct Target<'a> {
-    surface: &'a Surface,
-    steps: Vec<Step>,
+pub(super) struct Target<'a> {
+    pub(super) surface: &'a Surface,
+    pub(super) steps: Vec<Step>,
     /// Whether inside and outside are exchanged.
     is_turned: bool,
     part: i32,
@@ -58,7 +101,7 @@ pub(crate) struct Targets<'a>(Vec<Target<'a>>);
 /// What a search of rays needs again and again.
 #[derive(Default)]
 pub(crate) struct RayScratch {
-    waiting: Vec<(f64, u32)>,
+    ahead: Ahead,
     found: Vec<Found>,
 }
 
@@ -92,7 +135,7 @@ impl<'a> Targets<'a> {
         match g.node() {
             Node::Surface(surface) => {
                 if self.0.len() >= MOST {
-                    return Err(Error::unsupported(format!("g: rays through more than {MOST} meshes")));
+                    return Err(Error::unsupported(format!("g: more than {MOST} meshes")));
                 }
                 self.0.try_reserve(1).map_err(|_| Error::memory("meshes", self.0.len() + 1))?;
                 self.0.push(Target { surface, steps: steps.clone(), is_turned, part });
@@ -106,8 +149,12 @@ impl<'a> Targets<'a> {
             Node::Place(g, placement) => self.moved(g, Step::Place(*placement), steps, is_turned, part),
             // The innermost label wins.
             Node::Part(g, label) => self.collect(g, steps, is_turned, *label),
-            node => Err(Error::unsupported(format!("g: rays meet meshes, and {} has no triangles", node.kind()))),
+            node => Err(Error::unsupported(format!("g: only meshes have faces, and there is {} in it", node.kind()))),
         }
+    }
+
+    pub(super) fn list(&self) -> &[Target<'a>] {
+        &self.0
     }
 
     fn moved(&mut self, g: &'a Geometry, step: Step, steps: &mut Vec<Step>, is_turned: bool, part: i32) -> Result<()> {
@@ -124,7 +171,7 @@ impl<'a> Targets<'a> {
             let own = target.ray(ray)?;
             let limit =
                 |best: &Option<Found>| best.as_ref().map_or(own.to, |b| own.scaled(ray.scaled(b.t)).min(own.to));
-            target.surface.along_ray(&own, limit(&best), &mut scratch.waiting, |met| {
+            target.surface.along_ray(&own, limit(&best), &mut scratch.ahead, |met| {
                 let found = target.found(k, ray, &own, met);
                 if best.as_ref().is_none_or(|b| found.order(b).is_lt()) {
                     best = Some(found);
@@ -135,18 +182,31 @@ impl<'a> Targets<'a> {
         Ok(best.map_or(RayHit::NONE, |found| self.0[found.target].hit(&found)))
     }
 
+    /// How many meetings there are.
+    pub(crate) fn count(&self, ray: &Ray, scratch: &mut RayScratch) -> Result<usize> {
+        let mut count = 0;
+        for target in &self.0 {
+            let own = target.ray(ray)?;
+            target.surface.along_ray(&own, own.to, &mut scratch.ahead, |_| {
+                count += 1;
+                own.to
+            })?;
+        }
+        Ok(count)
+    }
+
     /// Every meeting, in order.
     pub(crate) fn all<'s>(
         &'s self,
         ray: &Ray,
         scratch: &'s mut RayScratch,
     ) -> Result<impl ExactSizeIterator<Item = RayHit> + 's> {
-        let RayScratch { waiting, found } = scratch;
+        let RayScratch { ahead, found } = scratch;
         found.clear();
         let mut is_full = false;
         for (k, target) in self.0.iter().enumerate() {
             let own = target.ray(ray)?;
-            target.surface.along_ray(&own, own.to, waiting, |met| {
+            target.surface.along_ray(&own, own.to, ahead, |met| {
                 is_full |= found.try_reserve(1).is_err();
                 if !is_full {
                     found.push(target.found(k, ray, &own, met));
@@ -167,12 +227,9 @@ impl Target<'_> {
     fn ray(&self, ray: &Ray) -> Result<Ray> {
         let (mut origin, mut direction) = (ray.origin, ray.direction);
         for step in &self.steps {
-            match step {
-                Step::Shift(shift) => origin -= *shift,
-                Step::Place(placement) => {
-                    origin = placement.to_body(origin);
-                    direction = placement.direction_to_body(direction);
-                }
+            origin = step.to_body(origin);
+            if let Step::Place(placement) = step {
+                direction = placement.direction_to_body(direction);
             }
         }
         Ray::new(origin, direction, [ray.from, ray.to]).ok_or_else(|| {
@@ -181,7 +238,7 @@ impl Target<'_> {
     }
 
     fn found(&self, target: usize, ray: &Ray, own: &Ray, met: Met) -> Found {
-        let t = positive_zero(ray.unscaled(own.unscaled(met.t)));
+        let t = positive_zero(ray.unscaled(own.unscaled(self.surface.place_on(own, met))));
         Found { t, face: self.surface.face(met.triangle), target, met }
     }
 

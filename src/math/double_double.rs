@@ -75,10 +75,12 @@ pub fn plane_and_ray(a: Vec3, b: Vec3, c: Vec3, origin: Vec3, direction: Vec3) -
     let minor = |i: usize, j: usize| subtract(multiply(u[i], v[j]), multiply(u[j], v[i]));
     let area = [minor(1, 2), minor(2, 0), minor(0, 1)];
     let add = |p: Twice, q: Twice| subtract(p, (-q.0, -q.1));
-    [w, direction.to_array().map(|d| (d, 0.0))].map(|w| {
+    let across = |w: Twice3| {
         let (hi, lo) = add(add(multiply(area[0], w[0]), multiply(area[1], w[1])), multiply(area[2], w[2]));
         hi + lo
-    })
+    };
+    // (No `map`, which is not always inlined.)
+    [across(w), across([(direction.x, 0.0), (direction.y, 0.0), (direction.z, 0.0)])]
 }
 
 /// A number as a sum of two.

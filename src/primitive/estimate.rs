@@ -31,11 +31,11 @@ const FAR: f32 = 1e30;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct Estimates {
-    origin: [F32x8; 3],
-    axes: [[F32x8; 3]; 3],
+    pub(super) origin: [F32x8; 3],
+    pub(super) axes: [[F32x8; 3]; 3],
     /// The corners in the frame: (0, 0), (b, 0), (c\[0\], c\[1\]).
-    b: F32x8,
-    c: [F32x8; 2],
+    pub(super) b: F32x8,
+    pub(super) c: [F32x8; 2],
     /// One over the squared lengths of the edges from b to c and from c to the origin.
     inverse: [F32x8; 2],
 }

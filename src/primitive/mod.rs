@@ -12,6 +12,7 @@ pub(crate) mod least_area;
 pub(crate) mod noise;
 pub(crate) mod outline;
 pub(crate) mod overlap;
+mod pass;
 pub(crate) mod polygon;
 pub(crate) mod profile;
 pub(crate) mod ray;

@@ -3,6 +3,45 @@
 //! three, the triangle's normal, and the nine across one edge of each.
 
 use crate::math::{Aabb, Vec3};
+use robust::{Coord, Coord3D, orient2d, orient3d};
+
+/// Whether a triangle and a box, both closed, the box possibly infinite, have a point in common: exactly, by
+/// Shewchuk's predicates (1997). An edge of either separates only where it is the nearest to the other, and a box
+/// without thickness, or a triangle without area, is apart from what a slightly thicker box is apart from, too: the
+/// thirteen axes suffice for all of them.
+pub(crate) fn meets(t: [Vec3; 3], b: Aabb) -> bool {
+    if t.iter().any(|c| b.contains(*c)) {
+        return true;
+    }
+    // Finite from here on, and no larger than it need be.
+    let b = b.intersection(Aabb::of(t));
+    if b.is_empty() || are_apart(t, b) {
+        return false;
+    }
+    let corner = |k: usize| {
+        let side = |bit: usize, axis: usize| if k >> bit & 1 == 0 { b.lo[axis] } else { b.hi[axis] };
+        Vec3::new(side(0, 0), side(1, 1), side(2, 2))
+    };
+    let xyz = |p: Vec3| Coord3D { x: p.x, y: p.y, z: p.z };
+    let [p, q, r] = t.map(xyz);
+    let above = |k: usize| orient3d(p, q, r, xyz(corner(k)));
+    if (0..8).all(|k| above(k) > 0.0) || (0..8).all(|k| above(k) < 0.0) {
+        return false;
+    }
+    // Seen along each axis: the sides of the triangle.
+    !(0..3).any(|axis| {
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        let flat = |p: Vec3| Coord { x: p[i], y: p[j] };
+        let rectangle = [(b.lo[i], b.lo[j]), (b.lo[i], b.hi[j]), (b.hi[i], b.lo[j]), (b.hi[i], b.hi[j])]
+            .map(|(x, y)| Coord { x, y });
+        (0..3).any(|k| {
+            let (p, q, r) = (flat(t[k]), flat(t[(k + 1) % 3]), flat(t[(k + 2) % 3]));
+            let third = orient2d(p, q, r);
+            let sides = rectangle.map(|c| orient2d(p, q, c));
+            (third <= 0.0 && sides.iter().all(|s| *s > 0.0)) || (third >= 0.0 && sides.iter().all(|s| *s < 0.0))
+        })
+    })
+}
 
 /// Whether an axis proves that the triangle and the box are apart by more than rounding. False is not proof of
 /// the contrary.

@@ -67,7 +67,8 @@ impl Ray {
     #[inline(always)]
     fn line_meets(&self, corners: [Vec3; 3]) -> i32 {
         let d = self.direction;
-        let at = corners.map(|c| c - self.origin);
+        // (No `map`, which is not always inlined, here and below.)
+        let at = [corners[0] - self.origin, corners[1] - self.origin, corners[2] - self.origin];
         let mut side = [0; 3];
         for k in 0..3 {
             let (u, v) = (at[k], at[(k + 1) % 3]);
@@ -79,11 +80,11 @@ impl Ray {
             let error = SIDE_ERROR * terms + TINY;
             side[k] = i32::from(volume > error) - i32::from(volume < -error);
         }
-        let (some_left, some_right) = (side.contains(&1), side.contains(&-1));
-        if some_left && some_right {
+        let (least, most) = (side[0].min(side[1]).min(side[2]), side[0].max(side[1]).max(side[2]));
+        if least < 0 && most > 0 {
             return 0;
         }
-        if side.contains(&0) { self.line_meets_exactly(corners, side) } else { side[0] }
+        if side[0] * side[1] * side[2] == 0 { self.line_meets_exactly(corners, side) } else { side[0] }
     }
 
     /// The same where the side of some edges is not known yet.
@@ -178,11 +179,13 @@ impl Ray {
         let [across, along] = plane_and_ray(corners[0], corners[1], corners[2], self.origin, d);
         let at = across / along;
         // Not beyond the corners, where the ray runs nearly within the plane.
-        let ahead = corners.map(|c| (c - self.origin).dot(d) / d.dot(d));
-        let (first, last) = (ahead[0].min(ahead[1]).min(ahead[2]), ahead[0].max(ahead[1]).max(ahead[2]));
-        let room = 64.0
-            * f64::EPSILON
-            * corners.map(|c| (c - self.origin).abs().max_element()).into_iter().fold(0.0, f64::max);
+        let (mut first, mut last, mut size) = (f64::INFINITY, f64::NEG_INFINITY, 0.0f64);
+        for c in corners {
+            let ahead = (c - self.origin).dot(d) / d.dot(d);
+            (first, last) = (first.min(ahead), last.max(ahead));
+            size = size.max((c - self.origin).abs().max_element());
+        }
+        let room = 64.0 * f64::EPSILON * size;
         let at = if at >= first - room && at <= last + room { at } else { at.max(first).min(last) };
         positive_zero(at.max(self.from).min(self.to))
     }

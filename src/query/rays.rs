@@ -83,7 +83,7 @@ pub fn count_hits(g: &Geometry, rays: &Rays, run: &Run, emit: &(dyn Fn(usize, &[
         let mut scratch = RayScratch::default();
         let mut counts = [0; CHUNK];
         for (k, number) in counts[..count].iter_mut().enumerate() {
-            *number = targets.all(&rays.get(first + k)?, &mut scratch)?.len();
+            *number = targets.count(&rays.get(first + k)?, &mut scratch)?;
         }
         emit(first, &counts[..count]);
         Ok(())

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
- * Rays, and their misuse by a table: the status is right, the message is one line that names the argument, and nothing
- * was written. */
+ * Rays, and faces in a place, and their misuse by a table: the status is right, the message is one line that names
+ * the argument, and nothing was written. */
 #include "check.h"
 
 #include <stddef.h>
@@ -11,6 +11,10 @@ typedef struct arguments {
   const double *origin, *direction, *t_min, *t_max;
   const size_t *offsets;
   size_t *out_offsets;
+  const double *lo, *hi, *point;
+  double radius;
+  size_t capacity, *out_count;
+  int64_t *out_faces;
   const emb_geom *g;
   const emb_run *run;
   const emb_ray_out *out;
@@ -31,6 +35,8 @@ static struct outputs {
 static const double xs[8] = {-2, 0.5, 0.25, -2, 5, 5}, along[6] = {1, 0, 0, 1, 0, 0};
 static const double from[2] = {0, 1}, to[2] = {2, 9}, zeros[6] = {1, 0, 0, 0, -0.0, 0}, nans[2] = {0, NAN};
 static const size_t good_offsets[3] = {0, 2, 2}, late[3] = {1, 2, 2}, falling[3] = {0, 2, 1}, many[3] = {0, 1, 2};
+static const double los[3] = {0, 0, 0}, his[3] = {0.25, 0.125, INFINITY}, below[3] = {0, -1, 1};
+static const double nan_corner[3] = {0, NAN, 1};
 static emb_geom *cube_geom, *sphere;
 static int drops;
 
@@ -40,6 +46,8 @@ static arguments good(void) {
   a.count = 2, a.t_stride = 1;
   a.origin = xs, a.direction = along;
   a.offsets = good_offsets, a.out_offsets = outputs.offsets;
+  a.lo = los, a.hi = his, a.point = los, a.radius = 0.5;
+  a.capacity = 8, a.out_faces = outputs.primitive, a.out_count = outputs.offsets;
   a.g = cube_geom;
   a.run_value.value.struct_size = sizeof(emb_run);
   a.out_value.value.struct_size = sizeof(emb_ray_out);
@@ -68,6 +76,9 @@ CALL(ray_counts, emb_geom_ray_counts(a->g, a->count, a->origin, a->direction, a-
 CALL(ray_hits, emb_geom_ray_hits(a->g, a->count, a->origin, a->direction, a->t_min, a->t_max, a->t_stride, a->offsets,
                                  a->run, a->out))
 
+CALL(overlapping, emb_geom_overlapping(a->g, a->lo, a->hi, a->capacity, a->out_faces, a->out_count))
+CALL(within, emb_geom_within(a->g, a->point, a->radius, a->capacity, a->out_faces, a->out_count))
+
 #define RAYS(call)                                                                                                \
   NULLED(call, g, "g"), HELD(call, g, &sphere, EMB_ERROR_UNSUPPORTED, "a shape"),                                 \
   NULLED(call, origin, "origin"), BENT(call, origin, "origin"),                                                   \
@@ -88,7 +99,24 @@ CALL(ray_hits, emb_geom_ray_hits(a->g, a->count, a->origin, a->direction, a->t_m
   SIZED(call, out_value.value.vector_stride, 0, "out.vector_stride"),                                             \
   SIZED(call, out_value.value.vector_stride, SIZE_MAX, "out.vector_stride")
 
+#define FACES(call)                                                                                               \
+  NULLED(call, g, "g"), HELD(call, g, &sphere, EMB_ERROR_UNSUPPORTED, "a shape"),                                 \
+  SIZED(call, capacity, 1, "capacity: 1"),                                                                        \
+  NULLED(call, out_faces, "out_faces"), BENT(call, out_faces, "out_faces"), NULLED(call, out_count, "out_count"), \
+  BENT(call, out_count, "out_count")
+
 static const misuse table[] = {
+    FACES(overlapping),
+    NULLED(overlapping, lo, "lo"),
+    NULLED(overlapping, hi, "hi"),
+    POINTED(overlapping, lo, nan_corner, EMB_ERROR_INVALID_ARGUMENT, "lo, hi"),
+    POINTED(overlapping, hi, nan_corner, EMB_ERROR_INVALID_ARGUMENT, "lo, hi"),
+    POINTED(overlapping, hi, below, EMB_ERROR_INVALID_ARGUMENT, "lo, hi"),
+    FACES(within),
+    NULLED(within, point, "point"),
+    POINTED(within, point, nan_corner, EMB_ERROR_INVALID_ARGUMENT, "point"),
+    REAL_ONE(within, radius, NAN, "radius"),
+    REAL_ONE(within, radius, -1e-9, "radius"),
     RAYS(rays),
     OUT(rays),
     RAYS(ray_counts),
@@ -135,6 +163,25 @@ static void rays_are_answered(void) {
   CHECK(outputs.offsets[0] == 0 && outputs.offsets[1] == 1);
 }
 
+static void faces_are_listed(void) {
+  arguments a = good();
+  size_t count;
+  connect(&a);
+  reset_outputs(0xA5);
+  CHECK_OK(overlapping(&a));
+  count = outputs.offsets[0];
+  CHECK(count > 1 && count <= 8 && outputs.primitive[0] >= 0 && outputs.primitive[count - 1] < 12);
+  a.capacity = 0, a.out_faces = NULL;
+  CHECK_OK(overlapping(&a));
+  CHECK(outputs.offsets[0] == count);
+  a.radius = 0.0;
+  CHECK_OK(within(&a));
+  CHECK(outputs.offsets[0] >= 3);
+  a.radius = INFINITY;
+  CHECK_OK(within(&a));
+  CHECK(outputs.offsets[0] == 12);
+}
+
 int main(void) {
   const double origin[3] = {0, 0, 0};
   soup cube = soup_cube(0, 1);
@@ -143,6 +190,7 @@ int main(void) {
   CHECK_OK(emb_geom_from_mesh(mesh, NULL, NULL, &cube_geom));
   CHECK_OK(emb_geom_sphere(origin, 1.0, &sphere));
   rays_are_answered();
+  faces_are_listed();
   for (i = 0; i < sizeof table / sizeof *table; i++) {
     arguments a = good();
     connect(&a);

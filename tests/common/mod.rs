@@ -13,6 +13,7 @@ pub mod native;
 pub mod obj_files;
 pub mod points;
 pub mod random;
+pub mod rays;
 pub mod same;
 pub mod stl_bytes;
 pub mod vtp_files;

@@ -42,3 +42,15 @@ TEST(rays_meet_the_faces_of_meshes) {
     out.t = t;
     CHECK(check::status_of([&] { embound::first_hits(g, rays, out); }, "out.t: 2 elements") == EMB_ERROR_INVALID_ARGUMENT);
 }
+
+TEST(faces_are_found_by_box_and_by_distance) {
+    const embound::Geometry g = cube();
+    CHECK((embound::faces_overlapping(g, embound::Box{{-1, -1, -1}, {2, 2, 0}}) == std::vector<std::int64_t>{0, 2, 3, 4, 5}));
+    CHECK((embound::faces_overlapping(g, embound::Box{{0.25, 0.25, 0.5}, {0.5, 0.5, 1}}) == std::vector<std::int64_t>{1}));
+    CHECK(embound::faces_overlapping(g, embound::Box{{0.25, 0.25, 0.5}, {0.5, 0.5, 0.75}}).empty());
+    CHECK((embound::faces_within(g, {0.5, 0.5, 2.0}, 1.0) == std::vector<std::int64_t>{1}));
+    CHECK(embound::faces_within(g, {0.5, 0.5, 2.0}, 0.875).empty() && embound::faces_within(g, {9, 9, 9}, INFINITY).size() == 6);
+    CHECK((embound::faces_within(embound::translate(g, {1, 0, 0}), {1.5, 0.5, 2.0}, 1.0) == std::vector<std::int64_t>{1}));
+    const embound::Geometry two = embound::unite({g, embound::translate(g, {4, 0, 0})});
+    CHECK(check::status_of([&] { embound::faces_within(two, {0, 0, 0}, 1.0); }, "2 meshes") == EMB_ERROR_UNSUPPORTED);
+}

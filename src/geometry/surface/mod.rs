@@ -10,6 +10,7 @@ mod closing;
 mod columns;
 mod crossings;
 mod cube;
+mod faces;
 mod few;
 mod nearest;
 mod normals;
@@ -278,7 +279,7 @@ impl Surface {
     }
 
     #[inline(always)]
-    fn corners(&self, triangle: u32) -> [Vec3; 3] {
+    pub(crate) fn corners(&self, triangle: u32) -> [Vec3; 3] {
         self.triangles.vertex[triangle as usize].map(|v| self.vertices[v as usize])
     }
 

@@ -280,7 +280,7 @@ impl Surface {
 
     /// The kernel's answer for one triangle.
     #[inline(always)]
-    fn foot(&self, triangle: u32, p: Vec3) -> Foot<f64> {
+    pub(super) fn foot(&self, triangle: u32, p: Vec3) -> Foot<f64> {
         triangle::nearest(&self.prepared(triangle), V3([p.x, p.y, p.z]))
     }
 
