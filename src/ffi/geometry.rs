@@ -39,7 +39,7 @@ pub struct emb_sdf_options {
     pub axis: i32,
     /// EMB_ACCELERATOR_AUTO, the default, or another EMB_ACCELERATOR_*.
     pub accelerator: i32,
-    /// Box of EMB_OPEN_SWEEP, lower corner.
+    /// Box of EMB_OPEN_SWEEP, lower corner: the domain of the solver.
     pub open_lo: [f64; 3],
     /// Box of EMB_OPEN_SWEEP, upper corner.
     pub open_hi: [f64; 3],
@@ -149,7 +149,7 @@ pub unsafe extern "C" fn emb_sdf_options_init(options: *mut emb_sdf_options, siz
 /// also to one within the body, though its kind is EMB_EXACT. `options` may be NULL. The mesh may be freed afterwards.
 /// On success *out_geom is the caller's, to be freed with emb_geom_free.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (an open or inconsistent mesh,
-/// of which emb_mesh_has_inside says 0, with the counts; EMB_SIGN_NONE takes any), EMB_ERROR_UNSUPPORTED (a choice of a
+/// of which emb_mesh_has_inside says 0, with the counts; EMB_SIGN_NONE takes any; loops that options.open cannot close), EMB_ERROR_UNSUPPORTED (a choice of a
 /// later version), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_from_mesh(

@@ -5,7 +5,9 @@ mod arrays;
 mod assembly;
 mod boundary;
 mod build;
+mod caps;
 mod clean;
+mod closed;
 mod copies;
 mod data;
 mod diagnosis;
@@ -29,8 +31,10 @@ mod weld;
 
 pub(crate) use assembly::join;
 pub use assembly::{JoinTags, SplitBy};
-pub(crate) use boundary::boundary_loops;
+pub(crate) use boundary::{boundary_loops, one_way_edges};
 pub(crate) use build::{LARGEST_COORDINATE, SMALLEST_DIAGONAL, build};
+pub(crate) use caps::{Caps, cap_plane};
+pub(crate) use closed::NO_FACE;
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};
 pub use diagnosis::{
@@ -149,6 +153,8 @@ pub struct Mesh {
     half_edges: HalfEdges,
     report: Report,
     surface: Surface,
+    /// How it was oriented.
+    orient: Orient,
 }
 
 impl Mesh {

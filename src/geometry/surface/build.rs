@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
+use super::ends;
 use super::normals::normals;
 use super::{ALONE, Doubts, Kept, Leaf, NO_FACE, NO_TRIANGLE, Origin, PIECE, Sides, Sign, Surface, Triangles};
 use crate::bvh::{LEAF_SIZE, Leaves, Tree};
 use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
 use crate::geometry::segment::NO_TAG;
-use crate::geometry::{Accelerator, Open, SdfOptions, SignMethod};
+use crate::geometry::{Accelerator, SdfOptions, SignMethod};
 use crate::math::{Aabb, Vec3};
 use crate::mesh::{HalfEdges, Mesh, Triangle};
 use crate::parallel::Run;
@@ -18,9 +19,11 @@ use std::sync::Arc;
 impl Surface {
     /// Builds the distance to a mesh. O(n log n), the check that it does not pass through itself included.
     pub(crate) fn new(mesh: &Mesh, options: &SdfOptions, run: &Run) -> Result<Surface> {
-        let sign = choose_sign(mesh, options)?;
         let distinct = mesh.without_copies()?;
         let mesh = distinct.as_ref().unwrap_or(mesh);
+        let (closed, ends) = ends::close(mesh, options)?.unzip();
+        let mesh = closed.as_ref().unwrap_or(mesh);
+        let sign = choose_sign(mesh, options)?;
         let of_triangles = HalfEdges::of_pieces(mesh)?;
         let topology = of_triangles.as_ref().unwrap_or(mesh.half_edges());
         if mesh.triangles().is_empty() {
@@ -28,7 +31,12 @@ impl Surface {
         }
         let (vertices, pieces) = (mesh.vertices(), mesh.triangles());
         let (triangles, neighbours) = shape(mesh, pieces, topology, run)?;
-        let kept = Kept { triangles: Arc::new(triangles), topology: neighbours.into(), asked: (options.sign, sign) };
+        let kept = Kept {
+            triangles: Arc::new(triangles),
+            topology: neighbours.into(),
+            asked: (options.sign, sign),
+            ends: ends.unwrap_or_default(),
+        };
         let bounds = |t: usize| Aabb::of(pieces[t].corners(vertices));
         let silent = run.silent();
         let (tree, leaves) = Tree::build(pieces.len(), &bounds, LEAF_SIZE, &silent)?;
@@ -107,6 +115,7 @@ impl Surface {
             asked: kept.asked,
             doubts: Doubts::default(),
             sides: Sides::default(),
+            ends: kept.ends,
             far_winding,
         };
         if sign == Sign::Pseudonormal {
@@ -118,12 +127,6 @@ impl Surface {
 
 /// The sign the options ask for and the mesh can have.
 fn choose_sign(mesh: &Mesh, options: &SdfOptions) -> Result<Sign> {
-    if options.open != Open::Error {
-        return Err(Error::unsupported(format!(
-            "options.open: {} (CAP 1, SWEEP 2) is not available in this version",
-            options.open as i32
-        )));
-    }
     let surface = mesh.surface();
     match options.sign {
         SignMethod::None => return Ok(Sign::Unsigned),

@@ -8,6 +8,7 @@ mod check;
 mod columns;
 mod crossings;
 mod cube;
+mod ends;
 mod few;
 mod nearest;
 mod normals;
@@ -23,6 +24,7 @@ mod waiting;
 
 pub(crate) use band::{BandSlab, BandWork};
 pub(crate) use crossings::Hit;
+use ends::Ends;
 pub(crate) use nearest::Nearest;
 pub(crate) use rays::Met;
 use sides::Sides;
@@ -32,6 +34,7 @@ use crate::bvh::{Leaves, Tree};
 use crate::error::{Result, filled};
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
+use crate::mesh::NO_FACE;
 use crate::primitive::estimate::Estimates;
 use crate::primitive::overlap::are_apart;
 use crate::primitive::triangle::RELATIVE_ERROR;
@@ -41,9 +44,6 @@ use std::sync::Arc;
 
 /// Marks the unused lanes of a block.
 const NO_TRIANGLE: u32 = u32::MAX;
-
-/// In the place of the face of a triangle that no input face is the origin of: one that closes the surface.
-const NO_FACE: u32 = u32::MAX;
 
 /// In the place of a neighbour: the edge has none, and the triangle's own normal.
 const ALONE: u32 = u32::MAX;
@@ -130,6 +130,8 @@ pub(crate) struct Surface {
     doubts: Doubts,
     /// Where the surface is not.
     sides: Sides,
+    /// What was made to close it.
+    ends: Ends,
     /// Winding number far away: 1 where an inside-out mesh was kept, else 0.
     far_winding: i32,
 }
@@ -139,6 +141,7 @@ struct Kept {
     triangles: Arc<Triangles>,
     topology: Array<[u32; 3]>,
     asked: (SignMethod, Sign),
+    ends: Ends,
 }
 
 /// A set of triangles; no memory where it is empty.
@@ -215,9 +218,10 @@ impl Surface {
         }
     }
 
-    /// Which of the triangles that its face was cut into a triangle is.
-    pub(crate) fn piece(&self, triangle: u32) -> u32 {
-        self.triangles.origin(triangle).piece >> 1
+    /// Which of the triangles that its face was cut into a triangle is; -1 where it has none.
+    pub(crate) fn piece(&self, triangle: u32) -> i32 {
+        let origin = self.triangles.origin(triangle);
+        if origin.face == NO_FACE { -1 } else { (origin.piece >> 1) as i32 }
     }
 
     pub(crate) fn tag(&self, triangle: u32) -> i32 {
@@ -237,6 +241,7 @@ impl Surface {
             + size_of_val(&self.vertex_normals[..])
             + size_of_val(&self.doubts.bits[..])
             + self.sides.bytes()
+            + self.ends.bytes()
     }
 
     /// Feeds the bits that define every answer to `add`.

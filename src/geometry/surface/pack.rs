@@ -2,7 +2,7 @@
 //! Surfaces in relocatable blocks: all of their arrays as they are, so that nothing is made anew.
 
 use super::sides::Sides;
-use super::{ALONE, Doubts, Leaf, NO_TRIANGLE, Origin, Sign, Surface, Triangles, UNCLEAR};
+use super::{ALONE, Doubts, Ends, Leaf, NO_TRIANGLE, Origin, Sign, Surface, Triangles, UNCLEAR};
 use crate::bvh::{Leaves, Tree, each_once};
 use crate::error::Result;
 use crate::geometry::SignMethod;
@@ -49,6 +49,7 @@ impl Surface {
         out.word(number_of(&SIGNS, &self.asked.1));
         out.word(u64::from(self.far_winding == 1));
         self.sides.pack(out);
+        self.ends.pack(out);
         match (&self.tree, &self.compact) {
             (None, _) => out.word(PLAIN as u64),
             (Some(tree), None) => {
@@ -88,6 +89,7 @@ impl Surface {
         let asked = (METHODS[from.index(METHODS.len(), "sign")?], SIGNS[from.index(SIGNS.len(), "sign")?]);
         let far_winding = i32::from(from.flag()?);
         let sides = Sides::unpack(from)?;
+        let ends = Ends::unpack(from, vertices.len())?;
         let mut surface = Surface {
             leaves: Default::default(),
             compact: None,
@@ -104,6 +106,7 @@ impl Surface {
             asked,
             doubts,
             sides,
+            ends,
             far_winding,
         };
         match from.index(3, "layout")? {
