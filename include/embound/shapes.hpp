@@ -18,8 +18,8 @@ namespace embound {
 /// What to do about the boundary loops of an open mesh.
 enum class Open : std::int32_t {
     Error = EMB_OPEN_ERROR, ///< EMB_ERROR_TOPOLOGY.
-    Cap = EMB_OPEN_CAP,     ///< Loops are capped. Not in this version.
-    Sweep = EMB_OPEN_SWEEP  ///< Loops are swept beyond a box, for bodies that leave the domain. Not in this version.
+    Cap = EMB_OPEN_CAP,     ///< Loops are capped.
+    Sweep = EMB_OPEN_SWEEP  ///< Loops are swept beyond a box, for bodies that leave the domain.
 };
 
 /// How the nearest triangle is found.

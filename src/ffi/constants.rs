@@ -147,9 +147,23 @@ pub const EMB_SIGN_NONE: i32 = 5;
 
 /// A mesh with boundary loops is EMB_ERROR_TOPOLOGY where the sign needs a closed one.
 pub const EMB_OPEN_ERROR: i32 = 0;
-/// Boundary loops are capped. Not in this version: EMB_ERROR_UNSUPPORTED.
+/// Boundary loops are capped: each is filled by triangles of the least area over its vertices, those of more than 1,000
+/// edges by ears as seen along their area vector. The caps are surface like any other, for every question; closest points,
+/// crossings and ray hits on them have primitive -1 and tag -1, piece and feature -1, NaN for barycentric weights, and the
+/// part of the label. Each loop is capped by itself: the two rims of a wall get a cap each, which lie in each other and
+/// close the bore. A fin that ends in the open gets a cap upon itself: no thickness. A mesh without boundary is taken as it
+/// is. What is closed so is oriented as if the caps had been faces of the mesh (EMB_ORIENT_AUTO, EMB_ORIENT_ALTERNATE), or
+/// stays as it is (EMB_ORIENT_KEEP, EMB_ORIENT_FLIP), and has every sign that a closed mesh can have; EMB_SIGN_NONE and
+/// EMB_SIGN_AXIS are EMB_ERROR_INVALID_ARGUMENT with this. Edges that two faces run along the same way (one-sided strips,
+/// or faces kept as given that disagree) are EMB_ERROR_TOPOLOGY. Cost: the cube of the edges of a loop.
 pub const EMB_OPEN_CAP: i32 = 1;
-/// Boundary loops are swept beyond the box open_lo, open_hi. Not in this version: EMB_ERROR_UNSUPPORTED.
+/// Boundary loops are swept out of the box open_lo, open_hi, for bodies that leave the domain: each goes on straight along
+/// an axis, out by the face of the box that its farthest vertex is nearest to, and is closed so far beyond box and body that
+/// the end is nearest from no point of the box. In all else as EMB_OPEN_CAP. The box is finite, and lo < hi along each axis,
+/// else EMB_ERROR_INVALID_ARGUMENT; no other choice looks at it. A loop that ends within the box, by more than a quarter of
+/// the diagonal of the box around it, leads nowhere, and one that comes to opposite faces of the box without lying on a
+/// third, as the rim of terrain does, leads out by several: EMB_ERROR_TOPOLOGY, naming the loop. emb_geom_bounds reaches to
+/// the ends, far beyond the box: take the box itself for the domain.
 pub const EMB_OPEN_SWEEP: i32 = 2;
 
 /// A bounding volume hierarchy of some 200 bytes a triangle.

@@ -41,7 +41,7 @@ pub struct emb_sdf_options {
     pub axis: i32,
     /// EMB_ACCELERATOR_AUTO, the default, or another EMB_ACCELERATOR_*.
     pub accelerator: i32,
-    /// Box of EMB_OPEN_SWEEP, lower corner.
+    /// Box of EMB_OPEN_SWEEP, lower corner: the domain of the solver.
     pub open_lo: [f64; 3],
     /// Box of EMB_OPEN_SWEEP, upper corner.
     pub open_hi: [f64; 3],
@@ -153,7 +153,8 @@ pub unsafe extern "C" fn emb_sdf_options_init(options: *mut emb_sdf_options, siz
 /// On success *out_geom is the caller's, to be freed with emb_geom_free.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (EMB_SIGN_AUTO on a mesh whose holes
 /// are large, with the loops and the counts; EMB_SIGN_PSEUDONORMAL on one that is open, has edges of more than two faces or
-/// meets itself), EMB_ERROR_UNSUPPORTED (a choice of a later version), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
+/// meets itself; loops that options.open cannot close), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the
+/// triangles.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn emb_geom_from_mesh(
     mesh: *const emb_mesh,

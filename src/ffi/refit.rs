@@ -12,9 +12,9 @@ use crate::geometry::RefitCheck;
 
 /// The signed distance to the same faces over vertices that have moved. `xyz` holds 3 * vertex_count coordinates, vertex by
 /// vertex, in the order of emb_mesh_vertices of the mesh that g was made from (with emb_mesh_options.weld_tolerance -1 that
-/// is the order of the arrays that the mesh was made from). Values, ids and tags are those of emb_geom_from_mesh of such a
+/// is the order of the arrays that the mesh was made from); what EMB_OPEN_SWEEP made follows. Values, ids and tags are those of emb_geom_from_mesh of such a
 /// mesh with the options of g, bit for bit; so is the way the sign is decided, with EMB_REFIT_CHECK. The way that faces run
-/// stays. g is left as it is, and shares with the new geometry what does not change; each may be freed first, and the mesh
+/// stays, and so do the triangles that options.open made, where other ones might be made anew. g is left as it is, and shares with the new geometry what does not change; each may be freed first, and the mesh
 /// long before.
 ///
 /// For a rigid motion take emb_geom_place, which is O(1) and needs no vertices. Make the geometry anew where faces come or

@@ -21,9 +21,9 @@ pub struct Closest {
     pub point: Vec3,
     /// Gradient of the value; of length 1 where the part is exact.
     pub gradient: Vec3,
-    /// Of the triangle's corners, in the order of the input face; NaN off meshes.
+    /// Of the triangle's corners, in the order of the input face; NaN off meshes, and on triangles that close one.
     pub barycentric: Vec3,
-    /// Index of the input face; -1 off meshes.
+    /// Index of the input face; -1 off meshes, and on triangles that close one, as are those below.
     pub primitive: i64,
     /// Which of the triangles that the face was cut into, from 0 in the order of [`crate::mesh::Mesh::triangles`];
     /// -1 off meshes.
@@ -91,18 +91,23 @@ impl Closest {
 }
 
 fn on_surface(surface: &Surface, p: Vec3, nearest: &Nearest) -> Closest {
-    let (feature, barycentric) = surface.as_input(nearest);
+    let primitive = surface.face(nearest.triangle);
+    let (feature, barycentric) = match surface.as_input(nearest) {
+        // What closes a mesh has no corners of a face.
+        _ if primitive < 0 => (-1, Vec3::NAN),
+        (feature, barycentric) => (feature as i32, barycentric),
+    };
     let value = surface.signed(p, nearest);
     Closest {
         value,
         point: nearest.point,
         gradient: surface.gradient(p, nearest, value),
         barycentric,
-        primitive: surface.face(nearest.triangle),
-        piece: surface.piece(nearest.triangle) as i32,
+        primitive,
+        piece: surface.piece(nearest.triangle),
         part: NO_PART,
         tag: surface.tag(nearest.triangle),
-        feature: feature as i32,
+        feature,
     }
 }
 

@@ -116,7 +116,7 @@ struct Found {
 
 impl Found {
     fn order(&self, other: &Found) -> std::cmp::Ordering {
-        let rest = |f: &Found| (f.face, f.target, f.met.triangle);
+        let rest = |f: &Found| (f.face as u64, f.target, f.met.triangle);
         self.t.total_cmp(&other.t).then(rest(self).cmp(&rest(other)))
     }
 }

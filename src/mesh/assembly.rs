@@ -61,7 +61,9 @@ impl Mesh {
         for mesh in meshes {
             inputs.push(mesh.as_input()?);
         }
-        build(join(inputs, tags)?, &of_standing(options))
+        let same = meshes.iter().all(|mesh| mesh.orient == meshes[0].orient);
+        let orient = if same { meshes[0].orient } else { Orient::Keep };
+        Ok(build(join(inputs, tags)?, &of_standing(options))?.oriented_as_before(options, orient))
     }
 
     /// The same surface, placed; vertices and orientation stay as in [`Mesh::join`], with [`Orient::Flip`] all
@@ -71,7 +73,7 @@ impl Mesh {
     /// Those of [`Mesh::join`].
     pub fn rebuilt(&self, options: &MeshOptions) -> Result<Mesh> {
         options.check()?;
-        build(self.as_input()?, &of_standing(options))
+        Ok(build(self.as_input()?, &of_standing(options))?.oriented_as_before(options, self.orient))
     }
 
     /// The mesh in parts that keep vertices, orientation, tags, their names, and data. Vertices and faces are
@@ -94,10 +96,19 @@ impl Mesh {
         let mut first = 0;
         for &end in &end[..parts] {
             let faces = &members[first..end as usize];
-            split.push(build(self.input_of(faces, &mut marks)?, &as_it_stands())?);
+            let part = build(self.input_of(faces, &mut marks)?, &as_it_stands())?;
+            split.push(Mesh { orient: self.orient, ..part });
             first = end as usize;
         }
         Ok(split)
+    }
+
+    /// Where the options leave the way that faces run as it is, it is what it was made to be.
+    fn oriented_as_before(self, options: &MeshOptions, orient: Orient) -> Mesh {
+        match options.orient {
+            Orient::Auto if options.weld_tolerance <= 0.0 => Mesh { orient, ..self },
+            _ => self,
+        }
     }
 
     /// How many parts [`Mesh::split`] gives.

@@ -76,7 +76,19 @@ pub(crate) fn build(mut input: Input, options: &MeshOptions) -> Result<Mesh> {
     let volume = measure::volume(&vertices, &triangles, bounds.center());
     let surface = Surface::of(&faces, &edges, volume);
     let half_edges = HalfEdges::new(vertices.len(), faces, of_half_edge, &edges)?;
-    let mut mesh = Mesh { vertices, triangles, tags, tag_names, data, face_count, shrunk, half_edges, report, surface };
+    let mut mesh = Mesh {
+        vertices,
+        triangles,
+        tags,
+        tag_names,
+        data,
+        face_count,
+        shrunk,
+        half_edges,
+        report,
+        surface,
+        orient: options.orient,
+    };
     if let Some(distinct) = mesh.without_copies()? {
         mesh.surface = distinct.surface;
     }

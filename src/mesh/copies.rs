@@ -144,6 +144,7 @@ impl Mesh {
             half_edges,
             report: self.report.clone(),
             surface,
+            orient: self.orient,
         }))
     }
 }

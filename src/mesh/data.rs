@@ -304,6 +304,7 @@ impl Mesh {
             half_edges: self.half_edges.try_clone()?,
             report: self.report.clone(),
             surface: self.surface,
+            orient: self.orient,
         })
     }
 

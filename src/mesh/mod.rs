@@ -5,7 +5,9 @@ mod arrays;
 mod assembly;
 mod boundary;
 mod build;
+mod caps;
 mod clean;
+mod closed;
 mod copies;
 mod data;
 mod diagnosis;
@@ -29,8 +31,10 @@ mod weld;
 
 pub(crate) use assembly::join;
 pub use assembly::{JoinTags, SplitBy};
-pub(crate) use boundary::boundary_loops;
+pub(crate) use boundary::{boundary_loops, one_way_edges};
 pub(crate) use build::{LARGEST_COORDINATE, SMALLEST_DIAGONAL, build};
+pub(crate) use caps::{Caps, cap_plane};
+pub(crate) use closed::NO_FACE;
 pub(crate) use data::Data;
 pub use data::{Field, FieldType};
 pub use diagnosis::{
@@ -149,6 +153,8 @@ pub struct Mesh {
     half_edges: HalfEdges,
     report: Report,
     surface: Surface,
+    /// How it was oriented.
+    orient: Orient,
 }
 
 impl Mesh {
@@ -271,6 +277,11 @@ impl Mesh {
     /// The triangles that a face of [`Mesh::half_edges`] is cut into, as indices of [`Mesh::triangles`].
     pub fn triangles_of(&self, face: u32) -> std::ops::Range<usize> {
         self.half_edges.faces().triangles_of(face as usize)
+    }
+
+    /// How it was oriented.
+    pub(crate) fn orient(&self) -> Orient {
+        self.orient
     }
 
     /// The topology of the faces of the surface, which keep all their corners.

@@ -145,6 +145,30 @@ TEST(an_open_mesh_has_no_sign_but_a_distance) {
     CHECK(check::status_of([&] { embound::Mesh::from_triangles(corners, wild); }, "99") == EMB_ERROR_INVALID_ARGUMENT);
 }
 
+TEST(an_open_mesh_is_closed_by_caps_or_goes_on_beyond_a_box) {
+    const std::vector<std::uint32_t> open(triangles.begin(), triangles.end() - 3);
+    const embound::Mesh mesh = embound::Mesh::from_triangles(corners, open);
+    embound::SdfOptions options;
+    options.open = embound::Open::Cap;
+    const embound::Geometry capped = embound::from_mesh(mesh, options);
+    CHECK(capped(0.5, 0.5, 0.25) == -0.25 && capped(0.5, 0.5, 3.0) == 2.0);
+    options.sign = embound::Sign::None;
+    CHECK(check::status_of([&] { embound::from_mesh(mesh, options); }, "options.open") == EMB_ERROR_INVALID_ARGUMENT);
+    options.sign = embound::Sign::Auto;
+    options.open = embound::Open::Sweep;
+    CHECK(check::status_of([&] { embound::from_mesh(mesh, options); }, "options.open_lo") == EMB_ERROR_INVALID_ARGUMENT);
+    // Without its first side the cube goes on there.
+    const std::vector<std::uint32_t> sides(triangles.begin() + 6, triangles.end());
+    options.open_lo = {0.0, 0.0, 0.0};
+    options.open_hi = {1.0, 1.0, 1.0};
+    const embound::Geometry swept = embound::from_mesh(embound::Mesh::from_triangles(corners, sides), options);
+    int near_an_end = 0;
+    for (const double c : {0.01, 0.99}) {
+        near_an_end += (swept(c, 0.5, 0.5) < -0.4) + (swept(0.5, c, 0.5) < -0.4) + (swept(0.5, 0.5, c) < -0.4);
+    }
+    CHECK(near_an_end == 1);
+}
+
 TEST(tags_are_replaced_and_named) {
     const embound::Mesh cube = embound::Mesh::from_triangles(corners, triangles);
     const std::vector<std::int32_t> sides{7, 7, 7, 7, 7, 7, 7, 7, 7, 7, -2, -2};

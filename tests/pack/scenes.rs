@@ -2,7 +2,7 @@
 //! One geometry or more of every kind of node.
 
 use crate::common::bodies;
-use embound::geometry::{Accelerator, Blend, ExpressionOptions, Geometry, RefitCheck, SdfOptions, SignMethod};
+use embound::geometry::{Accelerator, Blend, ExpressionOptions, Geometry, Open, RefitCheck, SdfOptions, SignMethod};
 use embound::math::{Aabb, Vec3};
 use embound::mesh::{Mesh, MeshOptions};
 use embound::parallel::Run;
@@ -18,6 +18,15 @@ pub fn mesh(accelerator: Accelerator) -> Geometry {
 
 fn of(soup: &crate::common::Soup, sign: SignMethod) -> Geometry {
     let options = SdfOptions { sign, ..SdfOptions::default() };
+    Geometry::from_mesh(&soup.mesh(), &options, &Run::SERIAL).expect("a geometry")
+}
+
+/// A box without two of its sides.
+fn open(open: Open) -> Geometry {
+    let cube = bodies::unit_cube();
+    let soup =
+        cube.without(|t| cube.corners(t).iter().all(|c| c[0] == 1.0) || cube.corners(t).iter().all(|c| c[0] == 0.0));
+    let options = SdfOptions { open, open_lo: [0.1; 3], open_hi: [0.9; 3], ..SdfOptions::default() };
     Geometry::from_mesh(&soup.mesh(), &options, &Run::SERIAL).expect("a geometry")
 }
 
@@ -44,6 +53,8 @@ pub fn meshes() -> Vec<(&'static str, Geometry)> {
         ("rays", of(&bodies::cubes_sharing_an_edge(), SignMethod::Auto)),
         ("doubts", of(&bodies::overlapping_spheres(2), SignMethod::Auto)),
         ("flat triangles", of(&bodies::with_flat_triangles(&bodies::unit_cube()), SignMethod::Auto)),
+        ("capped", open(Open::Cap)),
+        ("swept", open(Open::Sweep)),
         ("a soup", of(&bodies::lattice_soup(200), SignMethod::None)),
         ("holes", of(&bodies::icosphere(2).without(|t| t % 40 == 3), SignMethod::Auto)),
         ("open, by rays", of(&bodies::icosphere(1).without(|t| t < 20), SignMethod::Ray)),

@@ -2,6 +2,7 @@
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
 use super::choose::choose;
+use super::ends;
 use super::normals::normals;
 use super::{
     ALONE, Closing, Doubts, Kept, Leaf, NO_FACE, NO_TRIANGLE, NO_VOLUME, Origin, PIECE, Sides, Sign, Surface,
@@ -12,7 +13,7 @@ use crate::error::{Error, Result, Status, filled, try_copy, try_with_capacity};
 use crate::geometry::segment::NO_TAG;
 use crate::geometry::{Accelerator, SdfOptions};
 use crate::math::{Aabb, Vec3};
-use crate::mesh::{self, HalfEdges, Mesh, Triangle};
+use crate::mesh::{self, HalfEdges, Mesh, Orient, Triangle};
 use crate::parallel::Run;
 use crate::primitive::estimate::Estimates;
 use crate::simd::lanes::WIDTH;
@@ -24,6 +25,8 @@ impl Surface {
     pub(crate) fn new(mesh: &Mesh, options: &SdfOptions, run: &Run) -> Result<Surface> {
         let distinct = mesh.without_copies()?;
         let mesh = distinct.as_ref().unwrap_or(mesh);
+        let (closed, ends) = ends::close(mesh, options)?.unzip();
+        let mesh = closed.as_ref().unwrap_or(mesh);
         let of_triangles = HalfEdges::of_pieces(mesh)?;
         let topology = of_triangles.as_ref().unwrap_or(mesh.half_edges());
         if mesh.triangles().is_empty() {
@@ -31,25 +34,25 @@ impl Surface {
         }
         let (vertices, pieces) = (mesh.vertices(), mesh.triangles());
         let sign = choose(mesh, vertices, pieces, topology, options)?;
+        // Reading has turned what was closed, and left what is open as it was.
+        let has_inside = !matches!(sign, Sign::Unsigned | Sign::Axis(_));
+        let volume = if has_inside { volume(mesh, topology)? } else { 0.0 };
+        let is_open = mesh.surface().unbalanced_edges > 0;
+        let is_turned = has_inside && is_open && mesh.orient() == Orient::Auto && volume < 0.0;
+        let turned = if is_turned { Some(turned(pieces)?) } else { None };
+        let of_turned = turned.as_ref().map(|pieces| HalfEdges::of_triangles(vertices.len(), pieces)).transpose()?;
+        let (pieces, topology) = (turned.as_deref().unwrap_or(pieces), of_turned.as_ref().unwrap_or(topology));
         let (triangles, neighbours) = shape(mesh, pieces, topology, run)?;
-        let kept = Kept { triangles: Arc::new(triangles), topology: neighbours.into(), asked: (options.sign, sign) };
+        let kept = Kept {
+            triangles: Arc::new(triangles),
+            topology: neighbours.into(),
+            asked: (options.sign, sign),
+            ends: ends.unwrap_or_default(),
+        };
         let bounds = |t: usize| Aabb::of(pieces[t].corners(vertices));
         let silent = run.silent();
         let (tree, leaves) = Tree::build(pieces.len(), &bounds, LEAF_SIZE, &silent)?;
-        let is_inverted = match sign {
-            Sign::Pseudonormal | Sign::Crossings => match Closing::caps(topology, vertices)? {
-                None => mesh.surface().volume < 0.0,
-                Some(caps) => {
-                    let center = Aabb::of(vertices.iter().copied()).center();
-                    let volume = mesh::volume(vertices, pieces, center) + caps.volume(center);
-                    // Of a sheet and its caps there may be none but for rounding.
-                    let diagonal = mesh.bounds().diagonal();
-                    volume < -NO_VOLUME * diagonal * diagonal * diagonal
-                }
-            },
-            Sign::Unsigned | Sign::Votes | Sign::Axis(_) => false,
-        };
-        let far_winding = i32::from(is_inverted);
+        let far_winding = i32::from(has_inside && sign != Sign::Votes && !is_turned && volume < 0.0);
         let vertices = try_copy("vertices", vertices)?;
         let mut surface = Surface::over(kept, vertices, (tree, &leaves), topology, far_winding, &silent)?;
         surface.why.nonmanifold = mesh.surface().nonmanifold_edges;
@@ -129,6 +132,7 @@ impl Surface {
             sides: Sides::default(),
             closing: None,
             why: Why::default(),
+            ends: kept.ends,
             far_winding,
         };
         surface.closing = match sign {
@@ -144,6 +148,24 @@ impl Surface {
         }
         Ok(surface)
     }
+}
+
+/// The volume that a mesh encloses, together with caps over its holes; 0 of a sheet, where it is rounding.
+fn volume(mesh: &Mesh, topology: &HalfEdges) -> Result<f64> {
+    let Some(caps) = Closing::caps(topology, mesh.vertices())? else { return Ok(mesh.surface().volume) };
+    let (bounds, diagonal) = (mesh.bounds(), mesh.bounds().diagonal());
+    let volume = mesh::volume(mesh.vertices(), mesh.triangles(), bounds.center()) + caps.volume(bounds.center());
+    Ok(if volume.abs() > NO_VOLUME * diagonal * diagonal * diagonal { volume } else { 0.0 })
+}
+
+/// Triangles that run the other way.
+fn turned(triangles: &[Triangle]) -> Result<Vec<Triangle>> {
+    let mut all = try_copy("triangles", triangles)?;
+    for t in &mut all {
+        t.vertices.swap(1, 2);
+        t.turned = !t.turned;
+    }
+    Ok(all)
 }
 
 /// Triangles, of the faces of a mesh or of none, and their neighbours. `topology` is that of the triangles.

@@ -10,6 +10,7 @@ mod closing;
 mod columns;
 mod crossings;
 mod cube;
+mod ends;
 mod faces;
 mod few;
 mod nearest;
@@ -29,6 +30,7 @@ mod why;
 pub(crate) use band::{BandSlab, BandWork};
 use closing::Closing;
 pub(crate) use crossings::Hit;
+use ends::Ends;
 pub(crate) use nearest::Nearest;
 pub(crate) use rays::Met;
 use sides::Sides;
@@ -39,6 +41,7 @@ use crate::bvh::{Leaves, Tree};
 use crate::error::{Result, filled};
 use crate::geometry::SignMethod;
 use crate::math::{Aabb, Vec3};
+use crate::mesh::NO_FACE;
 use crate::primitive::estimate::Estimates;
 use crate::primitive::overlap::are_apart;
 use crate::primitive::triangle::RELATIVE_ERROR;
@@ -48,9 +51,6 @@ use std::sync::Arc;
 
 /// Marks the unused lanes of a block.
 const NO_TRIANGLE: u32 = u32::MAX;
-
-/// In the place of the face of a triangle that no input face is the origin of: one that closes the surface.
-const NO_FACE: u32 = u32::MAX;
 
 /// In the place of a neighbour: the edge has none, and the triangle's own normal.
 const ALONE: u32 = u32::MAX;
@@ -143,6 +143,8 @@ pub(crate) struct Surface {
     /// What it lacks, where it is open and has a sign.
     closing: Option<Closing>,
     why: Why,
+    /// What was made to close it.
+    ends: Ends,
     /// Winding number far away: 1 where an inside-out mesh was kept, else 0.
     far_winding: i32,
 }
@@ -152,6 +154,7 @@ struct Kept {
     triangles: Arc<Triangles>,
     topology: Array<[u32; 3]>,
     asked: (SignMethod, Sign),
+    ends: Ends,
 }
 
 /// A set of triangles; no memory where it is empty.
@@ -236,9 +239,10 @@ impl Surface {
         }
     }
 
-    /// Which of the triangles that its face was cut into a triangle is.
-    pub(crate) fn piece(&self, triangle: u32) -> u32 {
-        self.triangles.origin(triangle).piece >> 1
+    /// Which of the triangles that its face was cut into a triangle is; -1 where it has none.
+    pub(crate) fn piece(&self, triangle: u32) -> i32 {
+        let origin = self.triangles.origin(triangle);
+        if origin.face == NO_FACE { -1 } else { (origin.piece >> 1) as i32 }
     }
 
     pub(crate) fn tag(&self, triangle: u32) -> i32 {
@@ -259,6 +263,7 @@ impl Surface {
             + size_of_val(&self.doubts.bits[..])
             + self.sides.bytes()
             + self.closing.as_ref().map_or(0, Closing::bytes)
+            + self.ends.bytes()
     }
 
     /// Feeds the bits that define every answer to `add`.

@@ -3,7 +3,7 @@
 
 use super::closing::Closing;
 use super::sides::Sides;
-use super::{ALONE, Doubts, Leaf, NO_TRIANGLE, Origin, Sign, Surface, Triangles, UNCLEAR, Why};
+use super::{ALONE, Doubts, Ends, Leaf, NO_TRIANGLE, Origin, Sign, Surface, Triangles, UNCLEAR, Why};
 use crate::bvh::{Leaves, Tree, each_once};
 use crate::error::Result;
 use crate::geometry::SignMethod;
@@ -56,6 +56,7 @@ impl Surface {
             closing.pack(out);
         }
         self.why.pack(out);
+        self.ends.pack(out);
         match (&self.tree, &self.compact) {
             (None, _) => out.word(PLAIN as u64),
             (Some(tree), None) => {
@@ -97,6 +98,7 @@ impl Surface {
         let sides = Sides::unpack(from)?;
         let closing = if from.flag()? { Some(Closing::unpack(from)?) } else { None };
         let why = Why::unpack(from)?;
+        let ends = Ends::unpack(from, vertices.len())?;
         let mut surface = Surface {
             leaves: Default::default(),
             compact: None,
@@ -115,6 +117,7 @@ impl Surface {
             sides,
             closing,
             why,
+            ends,
             far_winding,
         };
         match from.index(3, "layout")? {

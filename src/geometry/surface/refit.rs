@@ -30,7 +30,12 @@ impl Surface {
             }
             None => Tree::build(triangles.len(), &|t| bounds(t as u32), LEAF_SIZE, silent)?,
         };
-        let kept = Kept { triangles: self.triangles.clone(), topology: self.topology.clone(), asked: self.asked };
+        let kept = Kept {
+            triangles: self.triangles.clone(),
+            topology: self.topology.clone(),
+            asked: self.asked,
+            ends: self.ends.clone(),
+        };
         let mut surface = Surface::over(kept, vertices, (tree, &order), &topology, self.far_winding, silent)?;
         surface.why.nonmanifold = self.why.nonmanifold;
         match (surface.sign, check) {
@@ -54,16 +59,16 @@ impl Surface {
 
     /// Vertices to be moved.
     pub(crate) fn vertex_count(&self) -> usize {
-        self.vertices.len()
+        self.vertices.len() - self.ends.swept()
     }
 
-    /// The vertices, checked as those of a mesh are.
+    /// The vertices, checked as those of a mesh are, and those that close it.
     fn moved(&self, xyz: &[f64]) -> Result<Vec<Vec3>> {
-        if xyz.len() != 3 * self.vertices.len() {
+        if xyz.len() != 3 * self.vertex_count() {
             return Err(Error::invalid(format!(
                 "xyz: {} coordinates are not three for each of the {} vertices of the mesh",
                 xyz.len(),
-                self.vertices.len()
+                self.vertex_count()
             )));
         }
         let mut vertices = try_with_capacity("vertices", self.vertices.len())?;
@@ -82,6 +87,7 @@ impl Surface {
                 "xyz: the box around the vertices has the diagonal {diagonal:e}, not above {SMALLEST_DIAGONAL:e}"
             )));
         }
+        self.ends.add_to(&mut vertices)?;
         Ok(vertices)
     }
 

@@ -6,7 +6,7 @@ use crate::error::{Result, filled};
 const FREE: u64 = u64::MAX;
 
 /// Pairs of vertices, in either order.
-pub(super) struct EdgeSet {
+pub(in crate::mesh) struct EdgeSet {
     /// A power of two, at least twice as many as edges.
     slots: Vec<u64>,
     count: usize,

@@ -20,6 +20,8 @@ mod work;
 
 use super::build::build;
 use super::options::is_tolerance;
+pub(super) use edge_set::EdgeSet;
+
 use super::{Mesh, MeshOptions, Orient, copies, duplicates};
 use crate::error::{Error, Result};
 use crate::parallel::Run;
@@ -204,7 +206,8 @@ impl Mesh {
         run.tell(0.8)?;
         let mesh = if work.changed || self.tells_of_old_faults(options) {
             let as_it_stands = MeshOptions { weld_tolerance: -1.0, orient: Orient::Keep, ..MeshOptions::default() };
-            build(work.into_input(self)?, &as_it_stands)?
+            let orient = if options.orient { Orient::Auto } else { self.orient };
+            Mesh { orient, ..build(work.into_input(self)?, &as_it_stands)? }
         } else {
             self.copied()?
         };
