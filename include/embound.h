@@ -1512,7 +1512,8 @@ emb_status emb_sdf_options_init(emb_sdf_options *options, size_t size);
 // On success *out_geom is the caller's, to be freed with emb_geom_free.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (EMB_SIGN_AUTO on a mesh whose holes
 // are large, with the loops and the counts; EMB_SIGN_PSEUDONORMAL on one that is open, has edges of more than two faces or
-// meets itself), EMB_ERROR_UNSUPPORTED (a choice of a later version), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the triangles.
+// meets itself; loops that options.open cannot close), EMB_ERROR_MEMORY, EMB_ERROR_CANCELLED. Cost: n log n in the
+// triangles.
 emb_status emb_geom_from_mesh(const emb_mesh *mesh,
                               const emb_sdf_options *options,
                               const emb_run *run,

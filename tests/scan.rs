@@ -5,14 +5,12 @@
 mod common;
 
 use common::edges::crossings;
-use common::lattices::{Axes, around, banded, compared, even, signs, through};
+use common::lattices::{around, banded, compared, even, signs, through};
 use common::random::Random;
 use common::{Soup, bodies};
 use embound::geometry::{Accelerator, Geometry, SdfOptions, SignMethod};
-use embound::math::Vec3;
 use embound::parallel::{Pool, Run};
-use embound::query::{self, CrossingForm, FillMode, Lattice};
-use std::sync::Mutex;
+use embound::query::{self, CrossingForm, Lattice};
 
 fn geometry(body: &Soup, sign: SignMethod) -> Geometry {
     let options = SdfOptions { sign, ..SdfOptions::default() };

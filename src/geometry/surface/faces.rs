@@ -26,10 +26,12 @@ impl Surface {
             return Ok(faces);
         }
         self.overlapping(region, |triangle| {
-            if !is_full && holds(triangle) {
+            let face = self.face(triangle);
+            // What closes an open mesh is no face of it.
+            if !is_full && face >= 0 && holds(triangle) {
                 is_full = faces.try_reserve(1).is_err();
                 if !is_full {
-                    faces.push(i64::from(self.face(triangle)));
+                    faces.push(face);
                 }
             }
         });

@@ -52,7 +52,7 @@ impl Closing {
                 }
             }
             // NaN, of a cap without area that is met, does not settle.
-            if visits > MOST_VISITS || !(seen < HALF) {
+            if visits > MOST_VISITS || seen.is_nan() || seen >= HALF {
                 return false;
             }
         }
@@ -84,7 +84,7 @@ impl Closing {
                     change += way * length(v - u) / gap(u.min(v), u.max(v), b);
                 }
             }
-            if visits > MOST_VISITS || !(change < most) {
+            if visits > MOST_VISITS || change.is_nan() || change >= most {
                 return false;
             }
         }
