@@ -9,9 +9,24 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace embound {
+
+namespace detail {
+
+/// A text by two calls: the size, then the text.
+template <class Call> std::string text(Call &&call) {
+    std::size_t size = 0;
+    check(call(std::size_t{0}, static_cast<char *>(nullptr), &size));
+    std::string result(size, '\0');
+    check(call(size, result.data(), &size));
+    result.resize(size - 1);
+    return result;
+}
+
+} // namespace detail
 
 /// Which side of the surface is fluid: bodies in a channel, or the inside of a pipe. For the
 /// adapters to solvers, whose sign conventions differ; embound's own sign is negative inside.

@@ -28,20 +28,6 @@ struct Field {
     std::size_t count;      ///< Items; see emb_mesh_field.
 };
 
-namespace detail {
-
-/// A text by two calls: the size, then the text.
-template <class Call> std::string text(Call &&call) {
-    std::size_t size = 0;
-    check(call(std::size_t{0}, static_cast<char *>(nullptr), &size));
-    std::string result(size, '\0');
-    check(call(size, result.data(), &size));
-    result.resize(size - 1);
-    return result;
-}
-
-} // namespace detail
-
 /// The different tags of the faces, ascending.
 inline std::vector<std::int32_t> tags(const Mesh &mesh) {
     std::size_t count = 0;

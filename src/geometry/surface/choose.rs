@@ -3,7 +3,7 @@
 
 use super::Sign;
 use crate::error::{Error, Result, Status};
-use crate::geometry::{Open, SdfOptions, SignMethod};
+use crate::geometry::{SdfOptions, SignMethod};
 use crate::math::{Aabb, Vec3, length};
 use crate::mesh::{HalfEdges, Lists, Mesh, Triangle, boundary_loops};
 use std::fmt::Write;
@@ -39,12 +39,6 @@ pub(super) fn choose(
     topology: &HalfEdges,
     options: &SdfOptions,
 ) -> Result<Sign> {
-    if options.open != Open::Error {
-        return Err(Error::unsupported(format!(
-            "options.open: {} (CAP 1, SWEEP 2) is not available in this version",
-            options.open as i32
-        )));
-    }
     let surface = mesh.surface();
     let manifold = surface.nonmanifold_edges == 0;
     let by_normals = if manifold { Sign::Pseudonormal } else { Sign::Crossings };

@@ -5,7 +5,7 @@ use super::sign::CLEAR_DISTANCE;
 use super::{Closing, Sign, Surface};
 use crate::math::{Aabb, Vec3};
 use crate::primitive::crossing::AxisLine;
-use crate::primitive::overlap::are_apart;
+use crate::primitive::overlap::meets;
 
 /// Of the six rays along the axes, inside is where so many say so.
 const MOST: usize = 4;
@@ -165,7 +165,7 @@ impl Surface {
     fn side_along(&self, axis: usize, b: Aabb) -> i32 {
         let column = self.column(b, axis, true);
         let mut any = false;
-        self.overlapping(column, |t| any |= !are_apart(self.corners(t), column));
+        self.overlapping(column, |t| any |= meets(self.corners(t), column));
         if !any {
             return 1;
         }
