@@ -219,7 +219,9 @@
 // other are their union, holes are closed by the surface on which the number is 1/2 (of a plane rim, the plane). From
 // exact crossings and, near holes, solid angles, by clusters (Barill et al. 2018) as far as these decide and exact beyond.
 // The sign may change across a hole while the value jumps from -d to d; it is that of every question. Beyond the bounds
-// of the mesh is outside. Of a closed mesh the same as EMB_SIGN_RAY, at the cost of EMB_SIGN_AUTO.
+// of the mesh is outside. An open mesh is turned over as a whole where it would enclose a negative volume with caps over
+// its holes, unless it was read with EMB_ORIENT_KEEP or EMB_ORIENT_FLIP: then the body is what is around it. Of a closed
+// mesh the same as EMB_SIGN_RAY, at the cost of EMB_SIGN_AUTO.
 #define EMB_SIGN_WINDING 2
 
 // Exact crossings of a ray, for closed meshes that intersect themselves. Of an open mesh, six rays along the axes: inside is
@@ -1507,8 +1509,8 @@ emb_status emb_sdf_options_init(emb_sdf_options *options, size_t size);
 
 // The signed distance to a mesh: exact, the same bits with every accelerator, pool and instruction set. The
 // sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they are right everywhere, of
-// exact crossings elsewhere, and across small holes that of the winding number (EMB_SIGN_*). The distance is that to the nearest face, whichever: where a mesh passes through itself
-// also to one within the body, though its kind is EMB_EXACT. `options` may be NULL. The mesh may be freed afterwards.
+// exact crossings elsewhere, and across small holes that of the winding number (EMB_SIGN_*). The distance is that to the
+// nearest face, whichever: where a mesh passes through itself also to one within the body, though its kind is EMB_EXACT. `options` may be NULL. The mesh may be freed afterwards.
 // On success *out_geom is the caller's, to be freed with emb_geom_free.
 // Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (EMB_SIGN_AUTO on a mesh whose holes
 // are large, with the loops and the counts; EMB_SIGN_PSEUDONORMAL on one that is open, has edges of more than two faces or

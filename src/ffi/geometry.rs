@@ -148,8 +148,8 @@ pub unsafe extern "C" fn emb_sdf_options_init(options: *mut emb_sdf_options, siz
 
 /// The signed distance to a mesh: exact, the same bits with every accelerator, pool and instruction set. The
 /// sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005) where they are right everywhere, of
-/// exact crossings elsewhere, and across small holes that of the winding number (EMB_SIGN_*). The distance is that to the nearest face, whichever: where a mesh passes through itself
-/// also to one within the body, though its kind is EMB_EXACT. `options` may be NULL. The mesh may be freed afterwards.
+/// exact crossings elsewhere, and across small holes that of the winding number (EMB_SIGN_*). The distance is that to the
+/// nearest face, whichever: where a mesh passes through itself also to one within the body, though its kind is EMB_EXACT. `options` may be NULL. The mesh may be freed afterwards.
 /// On success *out_geom is the caller's, to be freed with emb_geom_free.
 /// Errors: EMB_ERROR_NULL_ARGUMENT, EMB_ERROR_INVALID_ARGUMENT, EMB_ERROR_TOPOLOGY (EMB_SIGN_AUTO on a mesh whose holes
 /// are large, with the loops and the counts; EMB_SIGN_PSEUDONORMAL on one that is open, has edges of more than two faces or
