@@ -220,8 +220,10 @@
 // exact crossings and, near holes, solid angles, by clusters (Barill et al. 2018) as far as these decide and exact beyond.
 // The sign may change across a hole while the value jumps from -d to d; it is that of every question. Beyond the bounds
 // of the mesh is outside. An open mesh is turned over as a whole where it would enclose a negative volume with caps over
-// its holes, unless it was read with EMB_ORIENT_KEEP or EMB_ORIENT_FLIP: then the body is what is around it. Of a closed
-// mesh the same as EMB_SIGN_RAY, at the cost of EMB_SIGN_AUTO.
+// its holes, unless it was read with EMB_ORIENT_KEEP or EMB_ORIENT_FLIP: then, where its holes are small as EMB_SIGN_AUTO
+// has it, the body is what is around it, as of a closed mesh. Of a closed mesh the same as EMB_SIGN_RAY, at the cost of
+// EMB_SIGN_AUTO. Cost: where no hole is large and they are few, little more than that of a closed mesh; of triangle soup,
+// milliseconds a point.
 #define EMB_SIGN_WINDING 2
 
 // Exact crossings of a ray, for closed meshes that intersect themselves. Of an open mesh, six rays along the axes: inside is

@@ -48,6 +48,8 @@ pub fn with_holes() -> Vec<(&'static str, Soup)> {
     let overlapping = bodies::overlapping_spheres(3);
     let pierced = ball.without(|t| t % 131 == 7);
     vec![
+        ("ball", bodies::icosphere(2)),
+        ("cube", bodies::unit_cube()),
         ("ball without a triangle", ball.without(|t| t == 17)),
         ("ball without many", pierced.clone()),
         ("torus", torus.without(|t| (300..340).contains(&t) || t == 3)),

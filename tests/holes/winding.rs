@@ -6,8 +6,9 @@ use crate::common::random::Random;
 use crate::common::winding::winding_number;
 use crate::common::{Soup, bodies, points};
 use crate::{bodies::with_holes, classes_hold, diagonal, geometry, with};
-use embound::geometry::{Accelerator, SignMethod};
+use embound::geometry::{Accelerator, Geometry, SdfOptions, SignMethod};
 use embound::math::Vec3;
+use embound::parallel::Run;
 
 fn area([a, b, c]: [[f64; 3]; 3]) -> f64 {
     let [u, v] = [b, c].map(|p| Vec3::from(p) - Vec3::from(a));
@@ -102,4 +103,22 @@ fn no_class_is_a_lie() {
             classes_hold(&body, &g.complement().unwrap(), &mut random);
         }
     }
+}
+
+#[test]
+fn inside_out_and_kept_so_the_body_is_around_it_where_its_holes_are_small() {
+    let mut random = Random(65);
+    let kept = |soup: &Soup| {
+        let options = SdfOptions { sign: SignMethod::Winding, ..SdfOptions::default() };
+        Geometry::from_mesh(&soup.mesh_kept(), &options, &Run::SERIAL).unwrap()
+    };
+    let (ball, bowl) = (bodies::icosphere(3).without(|t| t == 17), crate::bodies::bowl(3, -0.4));
+    let [outward, inward] = [ball.clone(), ball.flipped()].map(|soup| kept(&soup));
+    for p in points::all_kinds(&ball, 200, &mut random) {
+        let [a, b] = [&outward, &inward].map(|g| g.value(p.into()));
+        assert!(a == -b || a.abs() < 1e-12, "{a} {b} at {p:?}");
+    }
+    let open = kept(&bowl.flipped());
+    assert!(points::uniform(&bowl, 2.0, 500, &mut random).into_iter().all(|p| open.value(p.into()) >= 0.0));
+    assert!(open.bounds().is_finite());
 }

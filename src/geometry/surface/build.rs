@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! From a mesh to a surface: which sign it can have, and the hierarchy.
 
-use super::choose::choose;
+use super::choose::{choose, has_small_holes};
 use super::ends;
 use super::normals::normals;
 use super::{
@@ -52,7 +52,10 @@ impl Surface {
         let bounds = |t: usize| Aabb::of(pieces[t].corners(vertices));
         let silent = run.silent();
         let (tree, leaves) = Tree::build(pieces.len(), &bounds, LEAF_SIZE, &silent)?;
-        let far_winding = i32::from(has_inside && sign != Sign::Votes && !is_turned && volume < 0.0);
+        // Around what is inside out is the body; of a sheet that is open as a whole neither side is it.
+        let is_negative = has_inside && sign != Sign::Votes && !is_turned && volume < 0.0;
+        let is_inverted = is_negative && (!is_open || has_small_holes(vertices, pieces, topology)?);
+        let far_winding = i32::from(is_inverted);
         let vertices = try_copy("vertices", vertices)?;
         let mut surface = Surface::over(kept, vertices, (tree, &leaves), topology, far_winding, &silent)?;
         surface.why.nonmanifold = mesh.surface().nonmanifold_edges;

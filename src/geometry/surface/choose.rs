@@ -12,6 +12,9 @@ use std::fmt::Write;
 const SMALL_EXTENT: f64 = 1.0 / 3.0;
 const SMALL_AREA: f64 = 0.025;
 
+/// So many vertices, about, tell how far a mesh reaches across a hole: the time is theirs times the loops.
+const SOME: usize = 4096;
+
 /// Loops that a message tells of.
 const TOLD: usize = 4;
 
@@ -68,6 +71,11 @@ pub(super) fn choose(
     }
 }
 
+/// Whether the boundary is small holes alone.
+pub(super) fn has_small_holes(vertices: &[Vec3], triangles: &[Triangle], topology: &HalfEdges) -> Result<bool> {
+    Ok(holes(vertices, triangles, &boundary_loops(topology)?).iter().all(Hole::is_small))
+}
+
 fn counts(mesh: &Mesh) -> String {
     let report = mesh.report();
     format!(
@@ -105,8 +113,9 @@ fn refusal(mesh: &Mesh, large: &[&Hole], all: usize) -> Error {
 /// The loops, as large as they are beside the mesh.
 fn holes(vertices: &[Vec3], triangles: &[Triangle], loops: &Lists) -> Vec<Hole> {
     let at = |v: u32| vertices[v as usize];
-    let area: f64 = triangles.iter().map(|t| cap(t.vertices.map(at)).length()).sum();
+    let area: f64 = triangles.iter().map(|t| length(cap(t.vertices.map(at)))).sum();
     let diagonal = Aabb::of(vertices.iter().copied()).diagonal();
+    let some = || vertices.iter().copied().step_by(vertices.len().div_ceil(SOME));
     let of = |path: &[u32]| {
         let middle = path.iter().fold(Vec3::ZERO, |sum, &v| sum + at(v) / path.len() as f64);
         let next = path.iter().skip(1).chain(&path[..1]);
@@ -126,9 +135,7 @@ fn holes(vertices: &[Vec3], triangles: &[Triangle], loops: &Lists) -> Vec<Hole> 
             });
             hi - lo
         };
-        let share = |along: Vec3| {
-            extent(along, &mut path.iter().map(|&v| at(v))) / extent(along, &mut vertices.iter().copied())
-        };
+        let share = |along: Vec3| extent(along, &mut path.iter().map(|&v| at(v))) / extent(along, &mut some());
         let box_share = Aabb::of(path.iter().map(|&v| at(v))).diagonal() / diagonal;
         let is_plane = length(normal) > 0.5 * own;
         let share = if is_plane { plane.map(share).into_iter().fold(box_share, f64::max) } else { box_share };

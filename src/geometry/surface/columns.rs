@@ -33,9 +33,9 @@ impl<'a> Columns<'a> {
         match self.surface.sign_by_normal(p, nearest) {
             Some(is_inside) => Ok(if is_inside { -nearest.distance } else { nearest.distance }),
             None => {
-                let is_inside = match self.surface.closing {
-                    None => self.winding(i + self.width * j, p)? >= 1,
-                    Some(_) => self.surface.is_inside(p),
+                let is_inside = match self.surface.has_jumps() {
+                    false => self.winding(i + self.width * j, p)? >= 1,
+                    true => self.surface.is_inside(p),
                 };
                 Ok(if is_inside { -nearest.distance } else { nearest.distance })
             }

@@ -107,7 +107,14 @@ impl Surface {
         let volume = volumes.iter().sum::<f64>() + caps;
         let diagonal = bounds.diagonal();
         let least = NO_VOLUME * diagonal * diagonal * diagonal;
-        if volume.abs() > least && (volume < 0.0) != self.is_inverted() {
+        let was_negative = match &self.closing {
+            None => self.is_inverted(),
+            Some(caps) => {
+                let apex = self.bounds.center();
+                mesh::volume(&self.vertices, triangles, apex) + caps.volume(apex) < 0.0
+            }
+        };
+        if volume.abs() > least && (volume < 0.0) != was_negative {
             return Err(Error::new(
                 Status::Topology,
                 format!(

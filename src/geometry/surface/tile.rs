@@ -140,7 +140,7 @@ impl Surface {
         if nearest.distance - radius - rounding <= block.far.max(rounding) {
             return Ok(false);
         }
-        if self.closing.is_some() {
+        if self.has_jumps() {
             let whole = Aabb::of(cube.corners().map(|c| block.point(c)));
             if self.side_of_clear(whole) == 0 {
                 return Ok(false);
