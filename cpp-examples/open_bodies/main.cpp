@@ -42,8 +42,7 @@ void examine(const char *name, const Geometry &g, const embound::Run &run, const
         }
     }
     const Blocks blocks = make_blocks(grid, blocks_per_side);
-    std::vector<std::int32_t> sides;
-    g.classify(blocks.lo, blocks.hi, sides, run);
+    const std::vector<std::int32_t> sides = g.classify(blocks.lo, blocks.hi, run);
     const std::size_t lies = count_contradictions(grid, blocks, sides);
     const auto known = std::count_if(sides.begin(), sides.end(), [](std::int32_t side) { return side != 0; });
     std::printf("%-8s %s\n         %zu of %zu nodes inside, %zu wrong; %td of %zu boxes on one side\n", name,
