@@ -33,6 +33,31 @@ fn diagonal(soup: &Soup) -> f64 {
     (0..3).map(|d| (hi[d] - lo[d]).powi(2)).sum::<f64>().sqrt()
 }
 
+/// Where the line through a point along an axis pierces triangles, and whether each faces up the axis; none where it comes
+/// near the rim of one.
+fn pierced(soup: &Soup, p: [f64; 3], axis: usize) -> Option<Vec<(f64, bool)>> {
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut found = Vec::new();
+    for t in 0..soup.triangles.len() {
+        let [a, b, c] = soup.corners(t);
+        let cross =
+            |p: [f64; 3], q: [f64; 3], r: [f64; 3]| (q[u] - p[u]) * (r[v] - p[v]) - (q[v] - p[v]) * (r[u] - p[u]);
+        let [x, y, z] = [cross(p, b, c), cross(a, p, c), cross(a, b, p)];
+        let all = cross(a, b, c);
+        if all == 0.0 {
+            continue; // along the axis
+        }
+        let least = [x, y, z].map(|w| w / all).into_iter().fold(f64::INFINITY, f64::min);
+        if least.abs() < 1e-9 {
+            return None;
+        }
+        if least > 0.0 {
+            found.push(((x * a[axis] + y * b[axis] + z * c[axis]) / all, all > 0.0));
+        }
+    }
+    Some(found)
+}
+
 /// A box in and around a body.
 fn box_around(soup: &Soup, random: &mut Random, size: f64) -> Aabb {
     let (lo, hi) = soup.bounds();

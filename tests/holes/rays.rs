@@ -5,29 +5,13 @@ use crate::bodies::{bowl, pipe, with_holes};
 use crate::common::random::Random;
 use crate::common::winding::winding_number;
 use crate::common::{Soup, bodies, points};
-use crate::{classes_hold, geometry};
+use crate::{classes_hold, geometry, pierced};
 use embound::geometry::SignMethod;
 
 /// The winding number along a ray from its crossings; none where it comes near the rim of a triangle.
 fn along(soup: &Soup, p: [f64; 3], axis: usize, ahead: bool) -> Option<i32> {
-    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-    let mut winding = 0;
-    for t in 0..soup.triangles.len() {
-        let [a, b, c] = soup.corners(t);
-        let cross =
-            |p: [f64; 3], q: [f64; 3], r: [f64; 3]| (q[u] - p[u]) * (r[v] - p[v]) - (q[v] - p[v]) * (r[u] - p[u]);
-        let [x, y, z] = [cross(p, b, c), cross(a, p, c), cross(a, b, p)];
-        let all = cross(a, b, c);
-        let least = [x, y, z].map(|w| w / all).into_iter().fold(f64::INFINITY, f64::min);
-        if least.abs() < 1e-9 {
-            return None;
-        }
-        let height = (x * a[axis] + y * b[axis] + z * c[axis]) / all;
-        if least > 0.0 && (height > p[axis]) == ahead {
-            winding += if (all > 0.0) == ahead { 1 } else { -1 };
-        }
-    }
-    Some(winding)
+    let ahead_of = pierced(soup, p, axis)?.into_iter().filter(|(height, _)| (*height > p[axis]) == ahead);
+    Some(ahead_of.map(|(_, faces_up)| if faces_up == ahead { 1 } else { -1 }).sum())
 }
 
 #[test]

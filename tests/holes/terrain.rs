@@ -5,7 +5,7 @@ use crate::bodies::terrain;
 use crate::common::lattices::{around, compared};
 use crate::common::random::Random;
 use crate::common::{Soup, bodies, points};
-use crate::{classes_hold, geometry};
+use crate::{classes_hold, geometry, pierced};
 use embound::geometry::{Geometry, SdfOptions, SignMethod};
 use embound::math::{Aabb, Vec3};
 use embound::parallel::Run;
@@ -13,21 +13,7 @@ use embound::query;
 
 /// Whether a triangle lies ahead of a point, along an axis, but for the rims of triangles.
 fn is_met(soup: &Soup, p: [f64; 3], axis: usize) -> Option<bool> {
-    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-    let mut met = false;
-    for t in 0..soup.triangles.len() {
-        let [a, b, c] = soup.corners(t);
-        let cross =
-            |p: [f64; 3], q: [f64; 3], r: [f64; 3]| (q[u] - p[u]) * (r[v] - p[v]) - (q[v] - p[v]) * (r[u] - p[u]);
-        let [x, y, z] = [cross(p, b, c), cross(a, p, c), cross(a, b, p)];
-        let all = cross(a, b, c);
-        let least = [x, y, z].map(|w| w / all).into_iter().fold(f64::INFINITY, f64::min);
-        if least.abs() < 1e-9 {
-            return None;
-        }
-        met |= least > 0.0 && (x * a[axis] + y * b[axis] + z * c[axis]) / all > p[axis];
-    }
-    Some(met)
+    Some(pierced(soup, p, axis)?.iter().any(|(height, _)| *height > p[axis]))
 }
 
 fn turned(soup: &Soup, axis: usize) -> Soup {
