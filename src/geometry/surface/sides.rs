@@ -63,11 +63,11 @@ impl Sides {
             }
         }
         if surface.closing.is_some() {
-            for (index, cell_is) in cells.iter_mut().enumerate() {
+            for (index, known) in cells.iter_mut().enumerate() {
                 let at = [index % CELLS, index / CELLS % CELLS, index / CELLS / CELLS].map(|k| k as f64);
                 let corner = sides.lo + cell * Vec3::from_array(at);
-                if *cell_is == UNKNOWN && !surface.settles(Aabb::new(corner - room, corner + cell + room)) {
-                    *cell_is = NEAR;
+                if *known == UNKNOWN && !surface.settles(Aabb::new(corner - room, corner + cell + room)) {
+                    *known = NEAR;
                 }
             }
         }

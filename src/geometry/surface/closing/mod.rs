@@ -23,7 +23,7 @@ use expansion::Expansion;
 /// boundary.
 pub(super) struct Closing {
     corners: Array<[Vec3; 3]>,
-    /// Depth first: the first half of a cluster follows it. Leaves come last in each branch.
+    /// Depth first: the first half of a cluster follows it.
     clusters: Array<Cluster>,
     loops: usize,
 }
