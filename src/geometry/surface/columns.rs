@@ -33,10 +33,9 @@ impl<'a> Columns<'a> {
         match self.surface.sign_by_normal(p, nearest) {
             Some(is_inside) => Ok(if is_inside { -nearest.distance } else { nearest.distance }),
             None => {
-                let is_inside = match self.surface.has_jumps() {
-                    false => self.winding(i + self.width * j, p)? >= 1,
-                    true => self.surface.is_inside(p),
-                };
+                let has_jumps = self.surface.has_jumps();
+                let is_inside =
+                    if has_jumps { self.surface.is_inside(p) } else { self.winding(i + self.width * j, p)? >= 1 };
                 Ok(if is_inside { -nearest.distance } else { nearest.distance })
             }
         }
